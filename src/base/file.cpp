@@ -47,6 +47,16 @@ void flushToDisk(const fs::path& path, const fs::path& target) {
   if (status != 0) cannotWrite(target, message);
 }
 
+/// Hidden, with the target's extension (image writers look at it) and this process's number.
+fs::path temporaryBeside(const fs::path& target) {
+  std::string name = ".";
+  name += target.stem().string();
+  name += '.';
+  name += std::to_string(getpid());
+  name += target.extension().string();
+  return target.parent_path() / name;
+}
+
 }  // namespace
 
 fs::path cacheFolder() {
@@ -86,9 +96,7 @@ void writeFileAtomically(const fs::path& target,
     if (!S_ISREG(status.st_mode)) return write(target);
     if (access(target.c_str(), W_OK) != 0) cannotWrite(target, systemMessage());
   }
-  const fs::path temporary =
-      target.parent_path() /
-      ("." + target.stem().string() + "." + std::to_string(getpid()) + target.extension().string());
+  const fs::path temporary = temporaryBeside(target);
   try {
     writeBytes(temporary, target, {});
     write(temporary);

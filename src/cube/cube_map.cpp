@@ -17,6 +17,18 @@ int texelIndex(double coordinate) {
   return std::clamp(int(std::floor((coordinate + 1) * (faceSize / 2))), 0, faceSize - 1);
 }
 
+struct TexelBorders {
+  int face;
+  double s0, s1, t0, t1;
+};
+
+TexelBorders bordersOf(int texel) {
+  constexpr double half = 1.0 / faceSize;
+  const double s = centerCoordinate(texel % faceSize);
+  const double t = centerCoordinate(texel / faceSize % faceSize);
+  return {texel / texelsPerFace, s - half, s + half, t - half, t + half};
+}
+
 /// Antiderivative of the solid angle over a rectangle with one corner at the face's centre.
 double cornerSolidAngle(double s, double t) {
   return std::atan2(s * t, std::sqrt(s * s + t * t + 1));
@@ -67,10 +79,23 @@ double faceRectangleSolidAngle(double s0, double s1, double t0, double t1) {
 }
 
 double texelSolidAngle(int texel) {
-  constexpr double half = 1.0 / faceSize;
-  const double s = centerCoordinate(texel % faceSize);
-  const double t = centerCoordinate(texel / faceSize % faceSize);
-  return faceRectangleSolidAngle(s - half, s + half, t - half, t + half);
+  const TexelBorders b = bordersOf(texel);
+  return faceRectangleSolidAngle(b.s0, b.s1, b.t0, b.t1);
+}
+
+glm::dvec3 texelMoment(int texel) {
+  const TexelBorders b = bordersOf(texel);
+  const FacePoint corners[] = {
+      {b.face, b.s0, b.t0}, {b.face, b.s0, b.t1}, {b.face, b.s1, b.t1}, {b.face, b.s1, b.t0}};
+  glm::dvec3 moment(0);
+  for (int i = 0; i < 4; ++i) {
+    const glm::dvec3 from = glm::normalize(cubeDirection(corners[i]));
+    const glm::dvec3 to = glm::normalize(cubeDirection(corners[(i + 1) % 4]));
+    const glm::dvec3 axis = glm::cross(from, to);
+    const double sine = glm::length(axis);
+    moment += axis * (0.5 * std::atan2(sine, glm::dot(from, to)) / sine);
+  }
+  return moment;
 }
 
 }  // namespace haarlight

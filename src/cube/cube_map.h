@@ -42,4 +42,9 @@ double faceRectangleSolidAngle(double s0, double s1, double t0, double t1);
 /// Solid angle in steradians of a texel. The sum over all texels is 4π.
 double texelSolidAngle(int texel);
 
+/// First moment ∫ ω dω of a texel, in closed form (Lambert's formula for the irradiance of a
+/// polygon). Its dot product with a normal is the texel's cosine-weighted solid angle where the
+/// texel lies wholly above the horizon.
+glm::dvec3 texelMoment(int texel);
+
 }  // namespace haarlight

@@ -1,0 +1,34 @@
+// Lanes: how kernels share one sample among work-items.
+//
+// A sample is worked on by LANES = 32 lanes. The host chooses how many lanes a work-item carries:
+// on a GPU one (a work-group of 32 items is one warp), on a CPU all of them (a work-group is one
+// item, and the compiler turns lane loops into vector instructions). Results do not depend on it.
+//
+//   FOR_EACH_LANE(lane) { … }   runs the lanes of this work-item
+//   OF_LANE(array, lane)        element of a private array declared with [LANES_PER_ITEM]
+//   LANE_BARRIER()              what lanes wrote to local memory is seen by all lanes
+//
+// Constants come from the host (src/engine/opencl/program.cpp).
+
+#pragma OPENCL FP_CONTRACT OFF
+
+#define ITEMS_PER_GROUP (LANES / LANES_PER_ITEM)
+#define FOR_EACH_LANE(lane) \
+  for (uint lane = FIRST_LANE; lane < FIRST_LANE + LANES_PER_ITEM; ++lane)
+#define OF_LANE(array, lane) (array)[(lane) % LANES_PER_ITEM]
+
+#if ITEMS_PER_GROUP > 1
+#define FIRST_LANE ((uint)get_local_id(0) * LANES_PER_ITEM)
+#define LANE_BARRIER() barrier(CLK_LOCAL_MEM_FENCE)
+#else
+#define FIRST_LANE 0u
+#define LANE_BARRIER()
+#endif
+
+#define HAARLIGHT_KERNEL __kernel __attribute__((reqd_work_group_size(ITEMS_PER_GROUP, 1, 1)))
+
+// A receiver's normal (src/material/cosine_lobe.h).
+typedef struct {
+  uint4 lobes;
+  float4 weights;
+} LobeBlend;

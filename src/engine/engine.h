@@ -1,0 +1,65 @@
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cube/bit_cube.h"
+#include "engine/receivers.h"
+#include "engine/shading_tables.h"
+#include "haar/occlusion_transform.h"
+#include "visibility/sphere.h"
+#include "visibility/sphere_table.h"
+
+namespace haarlight {
+
+/// Seconds spent in each step of one shade() call, summed over batches.
+struct StageTimes {
+  double upload = 0;
+  double merge = 0;
+  double transform = 0;
+  double tripleProduct = 0;
+  double readBack = 0;
+  /// From call to return.
+  double total = 0;
+};
+
+/// One implementation of the three steps of a frame (method.md §2, steps 5–7), on one device.
+///
+/// merge:          spheres and sample positions → bit cubes
+/// transform:      bit cubes → occlusion in the Haar basis
+/// triple product: occlusion, light, lobes → radiance
+///
+/// shade() runs all three without anything leaving the device in between. The other two calls run
+/// single steps and bring their results back, so that engines can be compared stage by stage.
+/// All engines give the same bits (docs/numerics.md).
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// "reference", "opencl", …
+  virtual std::string name() const = 0;
+  /// The device it runs on, in words.
+  virtual std::string deviceName() const = 0;
+
+  /// Seconds spent on compiling kernels when the engine was made, 0 when nothing is compiled.
+  virtual double preparationSeconds() const { return 0; }
+
+  /// Sets light, lobes and terms for the following shade() calls.
+  virtual void setShading(const ShadingTables& tables) = 0;
+
+  virtual std::vector<BitCube> mergeBitCubes(std::span<const Sphere> spheres,
+                                             ReceiverSpan receivers) = 0;
+  virtual std::vector<OcclusionHaar> transformOcclusion(std::span<const BitCube> cubes) = 0;
+
+  /// Radiance (RGB, 0) of white receivers: multiply by the albedo.
+  virtual std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
+                                       StageTimes* times = nullptr) = 0;
+};
+
+/// The scalar engine: one thread, written to be read beside the paper.
+std::unique_ptr<Engine> makeReferenceEngine(std::shared_ptr<const SphereTable> table);
+
+}  // namespace haarlight

@@ -1,0 +1,136 @@
+#include "engine/opencl/opencl_devices.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/error.h"
+#include "engine/devices.h"
+
+namespace haarlight {
+
+namespace {
+
+constexpr std::uint64_t sphereTableBytes = std::uint64_t(sphereTableEntries) * sizeof(BitCube);
+constexpr std::uint64_t localBytesNeeded = 16 << 10;
+
+/// The bindings leave a terminating zero or blanks in some drivers' strings.
+std::string trimmed(std::string text) {
+  const auto isBlank = [](unsigned char c) { return c == 0 || std::isspace(c); };
+  while (!text.empty() && isBlank(text.back())) text.pop_back();
+  text.erase(text.begin(), std::ranges::find_if_not(text, isBlank));
+  return text;
+}
+
+std::string lowerCase(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::string problemOf(const cl::Device& device) {
+  if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return "the driver says it is not available";
+  if (!device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>()) return "it has no kernel compiler";
+  if (device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>() < sphereTableBytes)
+    return "it cannot hold the 144 MiB sphere table in one buffer";
+  if (device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>() < localBytesNeeded)
+    return "it has less than 16 KiB of local memory";
+  if (device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>() < 32) return "its work-groups are too small";
+  return {};
+}
+
+OpenClDevice describe(const cl::Platform& platform, const cl::Device& device) {
+  OpenClDevice found;
+  found.device = device;
+  found.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
+  found.platform = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
+  found.isCpu = device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU;
+  found.problem = problemOf(device);
+  return found;
+}
+
+bool isNumber(const std::string& text) {
+  return !text.empty() && text.size() < 9 &&
+         std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c); });
+}
+
+const OpenClDevice* firstUsable(const std::vector<OpenClDevice>& devices) {
+  for (const bool wantCpu : {false, true})
+    for (const OpenClDevice& d : devices)
+      if (d.isCpu == wantCpu && d.problem.empty()) return &d;
+  return nullptr;
+}
+
+const OpenClDevice* select(const std::vector<OpenClDevice>& devices, const std::string& selector) {
+  if (selector.empty()) return firstUsable(devices);
+  if (isNumber(selector)) {
+    const std::size_t index = std::stoul(selector);
+    return index < devices.size() ? &devices[index] : nullptr;
+  }
+  const auto matches = [&](const OpenClDevice& d) {
+    return lowerCase(d.name).find(lowerCase(selector)) != std::string::npos;
+  };
+  const auto found = std::ranges::find_if(devices, matches);
+  return found == devices.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::vector<OpenClDevice> findOpenClDevices() {
+  std::vector<OpenClDevice> found;
+  std::vector<cl::Platform> platforms;
+  try {
+    cl::Platform::get(&platforms);
+  } catch (const cl::Error&) {  // -1001: no platform installed
+    return found;
+  }
+  for (const cl::Platform& platform : platforms) {
+    std::vector<cl::Device> devices;
+    try {
+      platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+    } catch (const cl::Error&) {  // a platform without devices
+      continue;
+    }
+    for (const cl::Device& device : devices) found.push_back(describe(platform, device));
+  }
+  return found;
+}
+
+OpenClDevice chooseOpenClDevice(const std::string& selector) {
+  const auto devices = findOpenClDevices();
+  if (devices.empty()) throw InputError(openClAdvice());
+  const OpenClDevice* chosen = select(devices, selector);
+  if (!chosen && selector.empty())
+    throw InputError("no OpenCL device can be used; `haarlight devices` says why");
+  if (!chosen)
+    throw InputError("no OpenCL device is called or numbered '" + selector +
+                     "'; `haarlight devices` lists them");
+  if (!chosen->problem.empty())
+    throw InputError("OpenCL device " + chosen->name + " cannot be used: " + chosen->problem);
+  return *chosen;
+}
+
+std::string openClAdvice() {
+  if (!findOpenClDevices().empty()) return {};
+  return "no OpenCL device was found: install the driver of your GPU, or `apt install "
+         "pocl-opencl-icd` to run on the CPU";
+}
+
+std::vector<DeviceDescription> listOpenClDevices() {
+  std::vector<DeviceDescription> list;
+  for (const OpenClDevice& found : findOpenClDevices()) {
+    DeviceDescription entry;
+    entry.engine = "opencl";
+    entry.index = int(list.size());
+    entry.name = found.name;
+    entry.platform = found.platform;
+    entry.version = trimmed(found.device.getInfo<CL_DEVICE_VERSION>());
+    entry.driver = trimmed(found.device.getInfo<CL_DRIVER_VERSION>());
+    entry.computeUnits = int(found.device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
+    entry.globalMemory = found.device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+    entry.localMemory = found.device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
+    entry.problem = found.problem;
+    list.push_back(entry);
+  }
+  return list;
+}
+
+}  // namespace haarlight

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "material/cosine_lobe.h"
+
+namespace haarlight {
+
+/// The samples at which radiance is wanted: texels of a plane, vertices of a mesh or pixels of a
+/// screen alike; engines do not know which. The arrays have equal length and kernel layout.
+struct Receivers {
+  /// World position; w is unused (0).
+  std::vector<glm::vec4> positions;
+  /// Normal, as a blend of tabulated lobes.
+  std::vector<LobeBlend> lobes;
+
+  std::size_t size() const { return positions.size(); }
+  void add(const glm::vec3& position, const glm::vec3& unitNormal) {
+    positions.emplace_back(position, 0.0f);
+    lobes.push_back(blendLobes(unitNormal));
+  }
+};
+
+/// A contiguous part of the receivers, as engines work through them.
+struct ReceiverSpan {
+  std::span<const glm::vec4> positions;
+  std::span<const LobeBlend> lobes;
+
+  ReceiverSpan(const Receivers& all) : positions(all.positions), lobes(all.lobes) {}
+  ReceiverSpan(std::span<const glm::vec4> p, std::span<const LobeBlend> l)
+      : positions(p), lobes(l) {}
+
+  std::size_t size() const { return positions.size(); }
+  ReceiverSpan part(std::size_t first, std::size_t count) const {
+    return {positions.subspan(first, count), lobes.subspan(first, count)};
+  }
+};
+
+}  // namespace haarlight

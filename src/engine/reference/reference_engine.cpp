@@ -1,0 +1,191 @@
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <glm/vec3.hpp>
+
+#include "engine/engine.h"
+#include "visibility/sphere_bin.h"
+
+namespace haarlight {
+
+namespace {
+
+/// Partial sums of the canonical order, one per colour channel (engine/shading_tables.h).
+class CanonicalSum {
+ public:
+  /// Adds term k of a list: coefficient (RGB) times value.
+  void add(std::size_t k, const glm::vec4& coefficient, float value) {
+    glm::vec3& partial = partials_[k % partialSums];
+    for (int channel = 0; channel < 3; ++channel)
+      partial[channel] = std::fma(coefficient[channel], value, partial[channel]);
+  }
+
+  glm::vec3 total() const {
+    auto sums = partials_;
+    for (int half = partialSums / 2; half > 0; half /= 2)
+      for (int i = 0; i < half; ++i) sums[i] += sums[i + half];
+    return sums[0];
+  }
+
+ private:
+  std::array<glm::vec3, partialSums> partials_{};
+};
+
+/// Σ weight · value over the receiver's lobes, the first by multiplication, the others by fma.
+template <typename ValueOfLobe>
+glm::vec4 blend(const LobeBlend& lobes, const ValueOfLobe& valueOfLobe) {
+  glm::vec4 sum = lobes.weights[0] * valueOfLobe(lobes.lobes[0]);
+  for (int i = 1; i < 3; ++i) {
+    const glm::vec4 value = valueOfLobe(lobes.lobes[i]);
+    for (int j = 0; j < 4; ++j) sum[j] = std::fma(lobes.weights[i], value[j], sum[j]);
+  }
+  return sum;
+}
+
+float dot(const glm::vec4& weight, const SquareValues& values) {
+  float sum = weight.x * values.horizontal;
+  sum = std::fma(weight.y, values.vertical, sum);
+  sum = std::fma(weight.z, values.diagonal, sum);
+  return std::fma(weight.w, values.mean, sum);
+}
+
+/// One sample's triple product, reading the tables.
+class SampleShader {
+ public:
+  SampleShader(const ShadingTables& tables, const OcclusionHaar& occlusion, const LobeBlend& lobes)
+      : tables_(tables), occlusion_(occlusion), lobes_(lobes) {}
+
+  glm::vec4 radiance() {
+    addLightTerms();
+    for (int i = 0; i < 3; ++i) addLobeTerms(lobes_.lobes[i], lobes_.weights[i]);
+    const glm::vec4 unshadowed =
+        blend(lobes_, [&](std::uint32_t lobe) { return tables_.unshadowed[lobe]; });
+    return {glm::vec3(unshadowed) - sum_.total(), 0};
+  }
+
+ private:
+  void addLightTerms() {
+    std::size_t term = 0;
+    for (const TermDetail detail : {coarseTerm, blockTerm, quarterTerm})
+      for (std::size_t k = 0; term < tables_.lightListEnds[detail]; ++term, ++k) {
+        const glm::vec4 weight = blend(lobes_, [&](std::uint32_t lobe) {
+          return tables_.lightWeights[lobe * tables_.lightTermCount() + term];
+        });
+        sum_.add(k, tables_.lightCoefficients[term],
+                 dot(weight, squareValues(detail, tables_.lightPlaces[term])));
+      }
+  }
+
+  void addLobeTerms(std::uint32_t lobe, float weight) {
+    for (const TermDetail detail : {coarseTerm, blockTerm, quarterTerm}) {
+      const std::uint32_t first = tables_.lobeListStarts[lobe * termDetails + detail];
+      const std::uint32_t last = tables_.lobeListStarts[lobe * termDetails + detail + 1];
+      for (std::uint32_t term = first; term < last; ++term) {
+        const std::uint32_t place = tables_.lobePlaces[term];
+        sum_.add(term - first, tables_.lightMeans[place >> 16],
+                 (weight * tables_.lobeValues[term]) * coefficient(detail, place & 0xffff));
+      }
+    }
+  }
+
+  /// Occlusion on the square of a light term. At level I blocks are uniform: the occlusion of a
+  /// block and of its quarters is the block's mean.
+  SquareValues squareValues(TermDetail detail, std::uint32_t place) const {
+    if (detail == coarseTerm) {
+      const float* first = &occlusion_.coefficients[place & 0xffff];
+      return {first[0], first[1], first[2], occlusion_.means[place >> 16]};
+    }
+    const std::uint16_t block = occlusion_.blocks[detail == blockTerm ? place : place / 4];
+    if (tables_.settings.levels == 1) return {0, 0, 0, blockValues(block).mean};
+    return detail == blockTerm ? blockValues(block) : quarterValues(block, int(place % 4));
+  }
+
+  /// Occlusion coefficient of a lobe term.
+  float coefficient(TermDetail detail, std::uint32_t place) const {
+    if (detail == coarseTerm) return occlusion_.coefficients[place];
+    if (tables_.settings.levels == 1) return 0;
+    const std::size_t block = occlusion_.blocks[place / blockTableStride];
+    return blockTable()[block * blockTableStride + place % blockTableStride];
+  }
+
+  const ShadingTables& tables_;
+  const OcclusionHaar& occlusion_;
+  const LobeBlend& lobes_;
+  CanonicalSum sum_;
+};
+
+/// Adds the seconds since the last call to one of the stages.
+class StageClock {
+ public:
+  void lap(double& stage) {
+    const auto now = std::chrono::steady_clock::now();
+    stage += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+class ReferenceEngine final : public Engine {
+ public:
+  explicit ReferenceEngine(std::shared_ptr<const SphereTable> table) : table_(std::move(table)) {}
+
+  std::string name() const override { return "reference"; }
+  std::string deviceName() const override { return "scalar C++, one thread"; }
+
+  void setShading(const ShadingTables& tables) override { tables_ = tables; }
+
+  std::vector<BitCube> mergeBitCubes(std::span<const Sphere> spheres,
+                                     ReceiverSpan receivers) override {
+    std::vector<BitCube> cubes;
+    for (const glm::vec4& position : receivers.positions) cubes.push_back(merge(spheres, position));
+    return cubes;
+  }
+
+  std::vector<OcclusionHaar> transformOcclusion(std::span<const BitCube> cubes) override {
+    std::vector<OcclusionHaar> occlusion;
+    for (const BitCube& cube : cubes) occlusion.push_back(haarlight::transformOcclusion(cube));
+    return occlusion;
+  }
+
+  std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
+                               StageTimes* times) override {
+    StageTimes ignored;
+    StageTimes& stages = times ? *times : ignored;
+    StageClock clock, whole;
+    std::vector<glm::vec4> radiance;
+    radiance.reserve(receivers.size());
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+      const BitCube cube = merge(spheres, receivers.positions[i]);
+      clock.lap(stages.merge);
+      const OcclusionHaar occlusion = haarlight::transformOcclusion(cube);
+      clock.lap(stages.transform);
+      radiance.push_back(SampleShader(tables_, occlusion, receivers.lobes[i]).radiance());
+      clock.lap(stages.tripleProduct);
+    }
+    whole.lap(stages.total);
+    return radiance;
+  }
+
+ private:
+  BitCube merge(std::span<const Sphere> spheres, const glm::vec3& position) const {
+    BitCube cube;
+    for (const Sphere& sphere : spheres) {
+      const auto mask = table_->mask(sphereTableEntry(sphere, position));
+      for (int row = 0; row < bitCubeRows; ++row) cube.rows[row] |= mask[row];
+    }
+    return cube;
+  }
+
+  std::shared_ptr<const SphereTable> table_;
+  ShadingTables tables_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> makeReferenceEngine(std::shared_ptr<const SphereTable> table) {
+  return std::make_unique<ReferenceEngine>(std::move(table));
+}
+
+}  // namespace haarlight

@@ -1,0 +1,53 @@
+#include "visibility/sphere_bin.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace haarlight {
+
+namespace {
+
+struct FaceFloat {
+  int face;
+  float s, t, major;  // coordinates on the face times `major` > 0
+};
+
+FaceFloat faceOf(const glm::vec3& d) {
+  const float x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+  if (x >= y && x >= z) return {d.x > 0 ? 0 : 1, d.x > 0 ? -d.z : d.z, -d.y, x};
+  if (y >= z) return {d.y > 0 ? 2 : 3, d.x, d.y > 0 ? d.z : -d.z, y};
+  return {d.z > 0 ? 4 : 5, d.z > 0 ? d.x : -d.x, -d.y, z};
+}
+
+/// Largest column (or row) whose lower border (column − 16)/16 · major is not above `coordinate`.
+int texelOf(float coordinate, float major) {
+  int column = 0;
+  for (int step = 16; step > 0; step /= 2)
+    if (coordinate >= float(column + step - 16) * 0.0625f * major) column += step;
+  return column;
+}
+
+}  // namespace
+
+int directionBin(const glm::vec3& toCenter) {
+  const FaceFloat f = faceOf(toCenter);
+  return (f.face * faceSize + texelOf(f.t, f.major)) * faceSize + texelOf(f.s, f.major);
+}
+
+int radiusBin(const glm::vec3& d, float radius) {
+  const float distanceSquared = (d.x * d.x + d.y * d.y) + d.z * d.z;
+  const float radiusSquared = radius * radius;
+  const float smaller = std::fmin(distanceSquared, radiusSquared);
+  const float larger = std::fmax(distanceSquared, radiusSquared);
+  int bin = 0;
+  for (int step = 16; step > 0; step /= 2)
+    if (smaller >= radiusBinBound(bin + step) * larger) bin += step;
+  return bin;
+}
+
+int sphereTableEntry(const Sphere& sphere, const glm::vec3& samplePosition) {
+  const glm::vec3 toCenter = sphere.center - samplePosition;
+  return directionBin(toCenter) * radiusBins + radiusBin(toCenter, sphere.radius);
+}
+
+}  // namespace haarlight
