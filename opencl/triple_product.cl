@@ -13,10 +13,10 @@ typedef struct {
   uint levels;
 } Occlusion;
 
-// The receiver's normal as a blend of `count` tabulated lobes.
+// The receiver's normal as a blend of the tabulated lobes in `count` slots.
 typedef struct {
   uint count;
-  uint lobes[3];
+  uint slots[3];
   float weights[3];
 } Blend;
 
@@ -50,9 +50,9 @@ inline float4 multiplyAdd(float factor, float4 value, float4 sum) {
 }
 
 inline float4 blendRows(const Blend* blend, __global const float4* rows, uint stride, uint term) {
-  float4 sum = blend->weights[0] * rows[blend->lobes[0] * stride + term];
+  float4 sum = blend->weights[0] * rows[blend->slots[0] * stride + term];
   for (uint i = 1; i < blend->count; ++i)
-    sum = multiplyAdd(blend->weights[i], rows[blend->lobes[i] * stride + term], sum);
+    sum = multiplyAdd(blend->weights[i], rows[blend->slots[i] * stride + term], sum);
   return sum;
 }
 
@@ -109,6 +109,7 @@ HAARLIGHT_KERNEL void tripleProduct(__global const float* restrict coefficients,
                                     __global const float* restrict blockTable,
                                     __global const LobeBlend* restrict receivers,
                                     const uint lobesPerReceiver, const uint levels,
+                                    __global const uint* restrict lobeSlots,
                                     const uint4 lightListEnds,
                                     __global const uint* restrict lightPlaces,
                                     __global const float4* restrict lightCoefficients,
@@ -126,7 +127,8 @@ HAARLIGHT_KERNEL void tripleProduct(__global const float* restrict coefficients,
                                blockTable, levels};
   const LobeBlend receiver = receivers[sample];
   const Blend blend = {lobesPerReceiver,
-                       {receiver.lobes.x, receiver.lobes.y, receiver.lobes.z},
+                       {lobeSlots[receiver.lobes.x], lobeSlots[receiver.lobes.y],
+                        lobeSlots[receiver.lobes.z]},
                        {receiver.weights.x, receiver.weights.y, receiver.weights.z}};
   const uint lightTermCount = lightListEnds.z;
 
@@ -137,7 +139,7 @@ HAARLIGHT_KERNEL void tripleProduct(__global const float* restrict coefficients,
   ADD_LIGHT_TERMS(lightListEnds.x, lightListEnds.y, blockValues);
   ADD_LIGHT_TERMS(lightListEnds.y, lightListEnds.z, quarterValues);
   for (uint i = 0; i < blend.count; ++i) {
-    const uint list = blend.lobes[i] * TERM_DETAILS;
+    const uint list = blend.slots[i] * TERM_DETAILS;
     ADD_LOBE_TERMS(list, COARSE_OCCLUSION);
     if (levels == 1) continue;
     ADD_LOBE_TERMS(list + 1, BLOCK_OCCLUSION);

@@ -15,6 +15,30 @@ namespace {
 
 using LightHaar = HaarCube<glm::dvec3>;
 
+/// The lobes that occur among the receivers, in the order of their slots, and how often.
+struct UsedLobe {
+  int lobe;
+  double importance;
+  HaarCube<float> haar;
+};
+
+std::vector<UsedLobe> transformUsedLobes(std::span<const double> importance) {
+  std::vector<UsedLobe> used;
+  for (int lobe = 0; lobe < lobeCount; ++lobe)
+    if (importance[lobe] > 0) used.push_back({lobe, importance[lobe], {}});
+  parallelFor(used.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) used[i].haar = lobeHaar(used[i].lobe);
+  });
+  return used;
+}
+
+std::vector<std::uint32_t> assignSlots(std::span<const UsedLobe> lobes) {
+  std::vector<std::uint32_t> slots(lobeCount, std::uint32_t(lobes.size()));
+  for (std::size_t slot = 0; slot < lobes.size(); ++slot)
+    slots[lobes[slot].lobe] = std::uint32_t(slot);
+  return slots;
+}
+
 /// A light term: coefficient 0 is the Φ of the face.
 struct LightTerm {
   int face;
@@ -48,21 +72,19 @@ LightHaar transformLight(const RadianceCube& light) {
 }
 
 /// Mean over the receivers of psum(p) for every square: face · 341 + mean index.
-std::vector<double> meanLobe(std::span<const double> importance) {
+std::vector<double> meanLobe(std::span<const UsedLobe> lobes) {
   std::vector<double> mean(faceCount * meansPerFace);
-  for (int lobe = 0; lobe < lobeCount; ++lobe) {
-    if (importance[lobe] == 0) continue;
+  for (const UsedLobe& lobe : lobes)
     for (int face = 0; face < faceCount; ++face)
       for (int i = 0; i < meansPerFace; ++i)
-        mean[face * meansPerFace + i] += importance[lobe] * lobeTable()[lobe][face].means[i];
-  }
+        mean[face * meansPerFace + i] += lobe.importance * lobe.haar[face].means[i];
   return mean;
 }
 
-/// The wavelets to keep, the most important `count` of all faces, in order of face and coefficient.
+/// The wavelets to keep, the most important of all faces, in order of face and coefficient. `lobe`
+/// is the receivers' mean lobe.
 std::vector<LightTerm> selectWavelets(const LightHaar& light, const ShadingSettings& settings,
-                                      std::span<const double> importance) {
-  const auto lobe = meanLobe(importance);
+                                      std::span<const double> lobe) {
   struct Ranked {
     LightTerm term;
     double rank;
@@ -145,7 +167,7 @@ std::vector<LightTerm> arrangeLightTerms(std::span<const LightTerm> wavelets,
   return terms;
 }
 
-void addLightTerms(ShadingTables& tables, const LightHaar& light,
+void addLightTerms(ShadingTables& tables, const LightHaar& light, std::span<const UsedLobe> lobes,
                    std::span<const LightTerm> wavelets) {
   const auto terms = arrangeLightTerms(wavelets, tables.lightListEnds);
   for (const LightTerm& term : terms) {
@@ -154,13 +176,13 @@ void addLightTerms(ShadingTables& tables, const LightHaar& light,
     tables.lightCoefficients.emplace_back(
         real ? light[term.face].coefficients[term.coefficient] : glm::dvec3(0), 0.0);
   }
-  tables.lightWeights.resize(lobeCount * terms.size());
-  parallelFor(lobeCount, 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t lobe = begin; lobe < end; ++lobe)
+  tables.lightWeights.resize((lobes.size() + 1) * terms.size());  // the last slot is black
+  parallelFor(lobes.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot)
       for (std::size_t i = 0; i < terms.size(); ++i)
         if (terms[i].coefficient >= 0)
-          tables.lightWeights[lobe * terms.size() + i] =
-              lightWeight(lobeTable()[int(lobe)][terms[i].face], terms[i].coefficient);
+          tables.lightWeights[slot * terms.size() + i] =
+              lightWeight(lobes[slot].haar[terms[i].face], terms[i].coefficient);
   });
 }
 
@@ -173,27 +195,27 @@ std::uint32_t lobePlace(int face, int coefficient) {
   return mean << 16 | (block * blockTableStride + slot);
 }
 
-void addLobeTerms(ShadingTables& tables, int lobe) {
+void addLobeTerms(ShadingTables& tables, const HaarCube<float>& lobe) {
   const int levels = isComplete(tables.settings) ? haarLevels : coarseLevels;
   for (const TermDetail detail : {coarseTerm, blockTerm, quarterTerm}) {
-    tables.lobeListStarts.push_back(std::uint32_t(tables.lobePlaces.size()));
     for (int face = 0; face < faceCount; ++face)
       for (int i = 1; i < firstCoefficient(levels); ++i) {
-        const float value = lobeTable()[lobe][face].coefficients[i];
+        const float value = lobe[face].coefficients[i];
         if (detailOf(i) != detail || value == 0) continue;
         tables.lobePlaces.push_back(lobePlace(face, i));
         tables.lobeValues.push_back(value);
       }
     tables.lobePlaces.resize(padded(tables.lobePlaces.size()), 0);
     tables.lobeValues.resize(tables.lobePlaces.size(), 0);
+    tables.lobeListStarts.push_back(std::uint32_t(tables.lobePlaces.size()));
   }
 }
 
-glm::vec4 unshadowedRadiance(const LightHaar& light, int lobe) {
+glm::vec4 unshadowedRadiance(const LightHaar& light, const HaarCube<float>& lobe) {
   glm::dvec3 sum(0);
   for (int face = 0; face < faceCount; ++face)
     for (int i = 0; i < coefficientsPerFace; ++i)
-      sum += light[face].coefficients[i] * double(lobeTable()[lobe][face].coefficients[i]);
+      sum += light[face].coefficients[i] * double(lobe[face].coefficients[i]);
   return {glm::vec3(sum), 0};
 }
 
@@ -205,12 +227,17 @@ ShadingTables buildShadingTables(const RadianceCube& light, const ShadingSetting
   const LightHaar lightHaar = transformLight(light);
   ShadingTables tables;
   tables.settings = settings;
-  addLightTerms(tables, lightHaar, selectWavelets(lightHaar, settings, lobeImportance));
-  for (int lobe = 0; lobe < lobeCount; ++lobe) {
-    addLobeTerms(tables, lobe);
-    tables.unshadowed.push_back(unshadowedRadiance(lightHaar, lobe));
+  const auto lobes = transformUsedLobes(lobeImportance);
+  tables.lobeSlots = assignSlots(lobes);
+  addLightTerms(tables, lightHaar, lobes, selectWavelets(lightHaar, settings, meanLobe(lobes)));
+  tables.lobeListStarts.push_back(0);
+  for (const UsedLobe& lobe : lobes) {
+    addLobeTerms(tables, lobe.haar);
+    tables.unshadowed.push_back(unshadowedRadiance(lightHaar, lobe.haar));
   }
-  tables.lobeListStarts.push_back(std::uint32_t(tables.lobePlaces.size()));
+  tables.lobeListStarts.insert(tables.lobeListStarts.end(), termDetails,
+                               tables.lobeListStarts.back());
+  tables.unshadowed.emplace_back(0);
   for (const auto& face : lightHaar)
     for (const glm::dvec3& mean : face.means) tables.lightMeans.emplace_back(mean, 0.0);
   return tables;

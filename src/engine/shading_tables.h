@@ -64,6 +64,10 @@ struct ShadingSettings {
 struct ShadingTables {
   ShadingSettings settings;
 
+  /// Slot of every lobe (lobeCount entries): the lobes that occur among the receivers come one
+  /// after the other, all others share the last slot, which is black.
+  std::vector<std::uint32_t> lobeSlots;
+
   /// End of each list in the arrays of light terms.
   std::array<std::uint32_t, termDetails> lightListEnds{};
   /// Where a term's occlusion lies. Coarse: (mean index << 16) | index of the square's first
@@ -71,10 +75,10 @@ struct ShadingTables {
   std::vector<std::uint32_t> lightPlaces;
   /// Light coefficient (RGB, 0).
   std::vector<glm::vec4> lightCoefficients;
-  /// lobe · terms + term: factors of O_horizontal, O_vertical, O_diagonal and psum(O).
+  /// slot · terms + term: factors of O_horizontal, O_vertical, O_diagonal and psum(O).
   std::vector<glm::vec4> lightWeights;
 
-  /// Start of each list of lobe terms: lobe · 3 + detail; one more entry ends the last.
+  /// Start of each list of lobe terms: slot · 3 + detail; one more entry ends the last.
   std::vector<std::uint32_t> lobeListStarts;
   /// (index into lightMeans << 16) | place. Coarse: coefficient index as in OcclusionHaar; block
   /// and quarter: block index · 16 + slot in the block's table entry.
@@ -83,15 +87,15 @@ struct ShadingTables {
 
   /// psum(L) of every square: face · 341 + mean index (RGB, 0).
   std::vector<glm::vec4> lightMeans;
-  /// ∫ L p of every lobe (RGB, 0).
+  /// ∫ L p of every slot (RGB, 0).
   std::vector<glm::vec4> unshadowed;
 
   std::size_t lightTermCount() const { return lightPlaces.size(); }
 };
 
 /// Builds the tables. `lobeImportance` says how often each lobe occurs among the receivers
-/// (lobeCount weights, any scale); it decides which light terms matter. Throws InputError when
-/// terms or levels are out of range.
+/// (lobeCount weights, any scale); it decides which light terms matter. A lobe of importance 0 is
+/// left black, so no receiver may use it. Throws InputError when terms or levels are out of range.
 ShadingTables buildShadingTables(const RadianceCube& light, const ShadingSettings& settings,
                                  std::span<const double> lobeImportance);
 

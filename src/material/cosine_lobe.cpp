@@ -7,8 +7,6 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "base/parallel.h"
-
 namespace haarlight {
 
 namespace {
@@ -38,12 +36,12 @@ std::array<WeightedLobe, 3> weighCorners(const std::array<int, 3>& corners,
   const glm::dmat3 columns(lobeNormal(corners[0]), lobeNormal(corners[1]), lobeNormal(corners[2]));
   const glm::dvec3 weights = glm::inverse(columns) * normal;
   std::array<WeightedLobe, 3> weighted;
-  for (int i = 0; i < 3; ++i) weighted[i] = {corners[i], weights[i] < 1e-7 ? 0.0 : weights[i]};
+  for (int i = 0; i < 3; ++i) weighted[i] = {corners[i], weights[i] < 2e-6 ? 0.0 : weights[i]};
   std::ranges::stable_sort(weighted, std::ranges::greater(), &WeightedLobe::weight);
   return weighted;
 }
 
-/// Corners of the triangle that holds the place (x, y) in [0, 8]² of a face's grid: each cell is
+/// Corners of the triangle that holds the place (x, y) in [0, 16]² of a face's grid: each cell is
 /// cut along the diagonal from its top-left to its bottom-right corner.
 std::array<int, 3> gridTriangle(int face, double x, double y) {
   const int column = std::min(int(x), lobeGridCells - 1), row = std::min(int(y), lobeGridCells - 1);
@@ -91,18 +89,8 @@ LobeBlend blendLobes(const glm::vec3& normal) {
   return blend;
 }
 
-LobeTable::LobeTable() : lobes_(lobeCount) {
-  parallelFor(lobeCount, 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t lobe = begin; lobe < end; ++lobe) {
-      const auto texels = cosineLobe(lobeNormal(int(lobe)));
-      lobes_[lobe] = singlePrecision(haarForwardCube<double, double>(texels));
-    }
-  });
-}
-
-const LobeTable& lobeTable() {
-  static const LobeTable table;
-  return table;
+HaarCube<float> lobeHaar(int lobe) {
+  return singlePrecision(haarForwardCube<double, double>(cosineLobe(lobeNormal(lobe))));
 }
 
 }  // namespace haarlight

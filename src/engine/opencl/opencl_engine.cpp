@@ -44,7 +44,7 @@ class GrowingBuffer {
 struct DeviceTables {
   int levels = 2;
   cl_uint4 lightListEnds{};
-  GrowingBuffer lightPlaces, lightCoefficients, lightWeights;
+  GrowingBuffer lobeSlots, lightPlaces, lightCoefficients, lightWeights;
   GrowingBuffer lobeListStarts, lobePlaces, lobeValues, lightMeans, unshadowed;
 };
 
@@ -116,9 +116,9 @@ OpenClEngine::OpenClEngine(const OpenClDevice& device, int lanesPerItem, const S
 
 /// Some drivers (PoCL) compile a kernel when it is first launched.
 void OpenClEngine::warmUp() {
-  setShading(buildShadingTables(RadianceCube{}, {0, 2}, std::vector<double>(lobeCount, 1.0)));
   Receivers receivers;
   receivers.add({0, 0, 0}, {0, 1, 0});
+  setShading(buildShadingTables(RadianceCube{}, {0, 2}, countLobes(receivers.lobes)));
   const Sphere sphere{{0, 2, 0}, 1};
   shade(std::span(&sphere, 1), receivers, nullptr);
 }
@@ -185,6 +185,7 @@ cl::Event OpenClEngine::launchTripleProduct(std::span<const LobeBlend> lobes) {
   tripleProduct_.setArg(argument++, batch_.lobes.get());
   tripleProduct_.setArg(argument++, cl_uint(single ? 1 : 3));
   tripleProduct_.setArg(argument++, cl_uint(tables_.levels));
+  tripleProduct_.setArg(argument++, tables_.lobeSlots.get());
   tripleProduct_.setArg(argument++, tables_.lightListEnds);
   for (const GrowingBuffer* table :
        {&tables_.lightPlaces, &tables_.lightCoefficients, &tables_.lightWeights,
@@ -200,6 +201,7 @@ void OpenClEngine::setShading(const ShadingTables& tables) {
   tables_.levels = tables.settings.levels;
   const auto& ends = tables.lightListEnds;
   tables_.lightListEnds = {{ends[coarseTerm], ends[blockTerm], ends[quarterTerm], 0}};
+  upload(tables_.lobeSlots, std::span(tables.lobeSlots));
   upload(tables_.lightPlaces, std::span(tables.lightPlaces));
   upload(tables_.lightCoefficients, std::span(tables.lightCoefficients));
   upload(tables_.lightWeights, std::span(tables.lightWeights));

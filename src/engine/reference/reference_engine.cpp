@@ -53,13 +53,15 @@ float dot(const glm::vec4& weight, const SquareValues& values) {
 class SampleShader {
  public:
   SampleShader(const ShadingTables& tables, const OcclusionHaar& occlusion, const LobeBlend& lobes)
-      : tables_(tables), occlusion_(occlusion), lobes_(lobes) {}
+      : tables_(tables), occlusion_(occlusion), slots_(lobes) {
+    for (std::uint32_t& lobe : slots_.lobes) lobe = tables.lobeSlots[lobe];
+  }
 
   glm::vec4 radiance() {
     addLightTerms();
-    for (int i = 0; i < 3; ++i) addLobeTerms(lobes_.lobes[i], lobes_.weights[i]);
+    for (int i = 0; i < 3; ++i) addLobeTerms(slots_.lobes[i], slots_.weights[i]);
     const glm::vec4 unshadowed =
-        blend(lobes_, [&](std::uint32_t lobe) { return tables_.unshadowed[lobe]; });
+        blend(slots_, [&](std::uint32_t slot) { return tables_.unshadowed[slot]; });
     return {glm::vec3(unshadowed) - sum_.total(), 0};
   }
 
@@ -68,18 +70,18 @@ class SampleShader {
     std::size_t term = 0;
     for (const TermDetail detail : {coarseTerm, blockTerm, quarterTerm})
       for (std::size_t k = 0; term < tables_.lightListEnds[detail]; ++term, ++k) {
-        const glm::vec4 weight = blend(lobes_, [&](std::uint32_t lobe) {
-          return tables_.lightWeights[lobe * tables_.lightTermCount() + term];
+        const glm::vec4 weight = blend(slots_, [&](std::uint32_t slot) {
+          return tables_.lightWeights[slot * tables_.lightTermCount() + term];
         });
         sum_.add(k, tables_.lightCoefficients[term],
                  dot(weight, squareValues(detail, tables_.lightPlaces[term])));
       }
   }
 
-  void addLobeTerms(std::uint32_t lobe, float weight) {
+  void addLobeTerms(std::uint32_t slot, float weight) {
     for (const TermDetail detail : {coarseTerm, blockTerm, quarterTerm}) {
-      const std::uint32_t first = tables_.lobeListStarts[lobe * termDetails + detail];
-      const std::uint32_t last = tables_.lobeListStarts[lobe * termDetails + detail + 1];
+      const std::uint32_t first = tables_.lobeListStarts[slot * termDetails + detail];
+      const std::uint32_t last = tables_.lobeListStarts[slot * termDetails + detail + 1];
       for (std::uint32_t term = first; term < last; ++term) {
         const std::uint32_t place = tables_.lobePlaces[term];
         sum_.add(term - first, tables_.lightMeans[place >> 16],
@@ -110,7 +112,8 @@ class SampleShader {
 
   const ShadingTables& tables_;
   const OcclusionHaar& occlusion_;
-  const LobeBlend& lobes_;
+  /// The receiver's blend, by slots.
+  LobeBlend slots_;
   CanonicalSum sum_;
 };
 

@@ -1,0 +1,103 @@
+#include "test_scenes.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <glm/geometric.hpp>
+
+#include "base/file.h"
+
+namespace haarlight::test {
+
+namespace {
+
+class SceneMaker {
+ public:
+  explicit SceneMaker(unsigned seed) : random_(seed) {}
+
+  float uniform(float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random_);
+  }
+  int below(int count) { return int(random_() % unsigned(count)); }
+  glm::vec3 point(float extent) {
+    return {uniform(-extent, extent), uniform(-extent, extent), uniform(-extent, extent)};
+  }
+  glm::vec3 direction() {
+    glm::vec3 d = point(1);
+    while (glm::length(d) < 0.1f || glm::length(d) > 1) d = point(1);
+    return glm::normalize(d);
+  }
+
+  Sphere sphere(const std::vector<glm::vec4>& positions) {
+    const glm::vec3 sample = positions[below(int(positions.size()))];
+    const float distance = uniform(0.01f, 5);
+    switch (below(9)) {
+      case 0:
+        return {sample + distance * direction(), distance * uniform(0.9999f, 1.0001f)};
+      case 1:
+        return {point(100), uniform(50, 200)};
+      case 2:
+        return {point(3), 1e-6f};
+      case 3:
+        return {sample, uniform(0.1f, 2)};
+      case 4:
+        return {point(1e6f), uniform(1, 1e5f)};
+      case 5:
+        return {sample + glm::vec3(0, distance, 0), distance / 2};
+      case 6:
+        return {sample + glm::vec3(distance, -distance, distance), distance / 3};
+      default:
+        return {point(4), uniform(0.05f, 1.5f)};
+    }
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+}  // namespace
+
+TestScene randomScene(unsigned seed, int receiverCount) {
+  SceneMaker make(seed);
+  TestScene scene;
+  for (int i = 0; i < receiverCount; ++i)
+    scene.receivers.add(make.point(2), i % 2 ? make.direction() : glm::vec3(0, 1, 0));
+  const int count = 1 + make.below(seed % 10 == 0 ? 256 : 80);
+  for (int i = 0; i < count; ++i)
+    scene.spheres.push_back(i > 0 && make.below(10) == 0 ? scene.spheres.back()
+                                                         : make.sphere(scene.receivers.positions));
+  for (int texel = 0; texel < texelCount; ++texel) {
+    const glm::vec3 sky(make.uniform(0, 0.2f), make.uniform(0, 0.3f), make.uniform(0, 0.4f));
+    scene.light[texel] = make.below(300) ? sky : sky * make.uniform(10, 10000);
+  }
+  return scene;
+}
+
+std::shared_ptr<const SphereTable> sharedSphereTable() {
+  static const auto table = std::make_shared<const SphereTable>(SphereTable::load(cacheFolder()));
+  return table;
+}
+
+std::unique_ptr<Engine> referenceEngine() {
+  return makeReferenceEngine(sharedSphereTable());
+}
+
+std::unique_ptr<Engine> openClEngine(int lanesPerItem) {
+  const auto devices = listDevices();
+  const bool found = std::ranges::any_of(devices, [](const DeviceDescription& d) {
+    return d.engine == "opencl" && d.problem.empty();
+  });
+  if (!found) {
+    std::printf("SKIPPED: %s\n", openClAdvice().c_str());
+    return nullptr;
+  }
+  return makeEngine({"opencl", "", lanesPerItem}, sharedSphereTable());
+}
+
+ShadingTables tablesFor(const TestScene& scene, int terms, int levels) {
+  ShadingSettings settings;
+  settings.terms = terms;
+  settings.levels = levels;
+  return buildShadingTables(scene.light, settings, countLobes(scene.receivers.lobes));
+}
+
+}  // namespace haarlight::test

@@ -1,0 +1,35 @@
+#pragma once
+
+/// Random scenes and engines shared by the tests of this room.
+
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "engine/devices.h"
+
+namespace haarlight::test {
+
+struct TestScene {
+  std::vector<Sphere> spheres;
+  Receivers receivers;
+  RadianceCube light;
+};
+
+/// Spheres of all kinds (grazing, huge, tiny, coincident, behind, around a receiver, far away,
+/// exactly along an axis), receivers with any normal, and a light of a dim sky and a few lamps.
+TestScene randomScene(unsigned seed, int receiverCount = 8);
+
+/// The sphere table, read or built once per process.
+std::shared_ptr<const SphereTable> sharedSphereTable();
+
+std::unique_ptr<Engine> referenceEngine();
+
+/// Null, after a line "SKIPPED: …", when this machine has no OpenCL device.
+std::unique_ptr<Engine> openClEngine(int lanesPerItem = 0);
+
+/// Tables for a scene.
+ShadingTables tablesFor(const TestScene& scene, int terms, int levels);
+
+}  // namespace haarlight::test

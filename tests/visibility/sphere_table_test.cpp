@@ -1,0 +1,96 @@
+#include "visibility/sphere_table.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "base/file.h"
+#include "base/parallel.h"
+#include "test_support.h"
+#include "visibility/exact_visibility.h"
+
+using namespace haarlight;
+
+namespace {
+
+const SphereTable& sharedTable() {
+  static const SphereTable table = SphereTable::load(cacheFolder());
+  return table;
+}
+
+bool sameWords(const SphereTable& a, const SphereTable& b) {
+  return std::ranges::equal(a.words(), b.words());
+}
+
+}  // namespace
+
+TEST_CASE("an entry is the exact mask of its bin's direction and radius") {
+  std::mt19937 random(1);
+  int bits = 0, different = 0;
+  for (int i = 0; i < 300; ++i) {
+    const int direction = int(random() % texelCount), bin = int(random() % radiusBins);
+    BitCube exact;
+    addSphereExactly(exact, texelDirection(direction), std::sqrt(radiusBinCenter(bin)));
+    const auto mask = sharedTable().mask(direction * radiusBins + bin);
+    for (int row = 0; row < bitCubeRows; ++row) {
+      bits += std::popcount(exact.rows[row]);
+      different += std::popcount(exact.rows[row] ^ mask[row]);
+    }
+  }
+  // The table compares in float32: only texels whose centre lies on the cap's rim may differ.
+  CHECK(different <= bits / 2000);
+}
+
+TEST_CASE("occupied faces are those with a set bit") {
+  for (int entry = 0; entry < sphereTableEntries; entry += 97) {
+    const auto mask = sharedTable().mask(entry);
+    for (int face = 0; face < faceCount; ++face) {
+      bool any = false;
+      for (int row = 0; row < faceSize; ++row) any |= mask[face * faceSize + row] != 0;
+      REQUIRE(any == bool(sharedTable().occupiedFaces()[entry] >> face & 1));
+    }
+  }
+}
+
+TEST_CASE("the table does not depend on the number of threads") {
+  setThreadCount(1);
+  const SphereTable single = SphereTable::build();
+  setThreadCount(5);
+  const SphereTable several = SphereTable::build();
+  setThreadCount(0);
+  CHECK(sameWords(single, several));
+}
+
+TEST_CASE("a damaged or cut cache file is built again") {
+  const test::TemporaryFolder folder;
+  const auto file = sphereTableFile(folder.path());
+  const SphereTable built = SphereTable::load(folder.path());
+  REQUIRE(std::filesystem::exists(file));
+  const auto size = std::filesystem::file_size(file);
+  CHECK(size == 6144ull * 32 * 768 + 8);
+
+  SUBCASE("one bit changed") {
+    std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(12345678);
+    stream.put(char(0x5a));
+  }
+  SUBCASE("cut short") {
+    std::filesystem::resize_file(file, 1000);
+  }
+  SUBCASE("longer") {
+    std::filesystem::resize_file(file, size + 1);
+  }
+  const SphereTable again = SphereTable::load(folder.path());
+  CHECK(sameWords(built, again));
+  CHECK(sameWords(built, SphereTable::load(folder.path())));
+  CHECK(std::filesystem::file_size(file) == size);
+}
+
+TEST_CASE("an unwritable cache folder only costs time") {
+  CHECK(sameWords(SphereTable::load("/proc/no/such/folder"), sharedTable()));
+}
