@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+namespace haarlight {
+
+/// One picture of a sheet.
+struct LabelledImage {
+  std::string label;  ///< ASCII; other bytes show as "?"
+  const Image& image;
+};
+
+/// The pictures side by side from left to right, each with its label above, on dark grey with
+/// `gap` pixels between and around them. Linear, ready for writePng; the pictures' values are not
+/// changed (expose them by tonemap first).
+Image contactSheet(const std::vector<LabelledImage>& pictures, int gap = 12);
+
+}  // namespace haarlight
