@@ -1,0 +1,162 @@
+#include "mesh/ray_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesh/embree_version.h"
+
+namespace haarlight {
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Calls `release` on an Embree handle at its end.
+template <typename Handle, void (*release)(Handle)>
+class Owned {
+ public:
+  explicit Owned(Handle handle) : handle_(handle) {}
+  ~Owned() {
+    if (handle_) release(handle_);
+  }
+  Owned(const Owned&) = delete;
+  Owned& operator=(const Owned&) = delete;
+  operator Handle() const { return handle_; }
+
+ private:
+  Handle handle_;
+};
+using Device = Owned<RTCDevice, rtcReleaseDevice>;
+using Scene = Owned<RTCScene, rtcReleaseScene>;
+using Geometry = Owned<RTCGeometry, rtcReleaseGeometry>;
+
+void rememberError(void* message, RTCError, const char* text) {
+  auto& first = *static_cast<std::string*>(message);
+  if (first.empty()) first = text && *text ? text : "unknown error";
+}
+
+RTCRay newRay(const glm::vec3& origin, const glm::vec3& direction, float near) {
+  RTCRay ray{};
+  ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
+  ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
+  ray.tnear = near;
+  ray.tfar = infinity;
+  ray.mask = ~0u;
+  return ray;
+}
+
+}  // namespace
+
+struct RayScene::Implementation {
+  explicit Implementation(std::span<const TriangleMesh* const> meshes)
+      : device(rtcNewDevice(nullptr)), scene(device ? rtcNewScene(device) : nullptr) {
+    if (!device) throw std::runtime_error("Embree cannot start");
+    rtcSetDeviceErrorFunction(device, rememberError, &message);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    for (std::size_t i = 0; i < meshes.size(); ++i) attach(*meshes[i], static_cast<unsigned>(i));
+    rtcCommitScene(scene);
+    throwError();
+  }
+
+  void attach(const TriangleMesh& mesh, unsigned object) {
+    normals.push_back(mesh.normals);
+    triangles.push_back(mesh.triangles);
+    if (mesh.triangles.empty()) return;
+    const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+    copyBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
+    copyBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, object);
+  }
+
+  template <typename Item>
+  void copyBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+                  const std::vector<Item>& items) {
+    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Item), items.size());
+    throwError();
+    std::copy(items.begin(), items.end(), static_cast<Item*>(buffer));
+  }
+
+  void throwError() const {
+    if (!message.empty()) throw std::runtime_error("Embree cannot build the scene: " + message);
+  }
+
+  glm::vec3 interpolatedNormal(const RayHit& hit) const {
+    const glm::uvec3& t = triangles[hit.object][hit.triangle];
+    const auto& n = normals[hit.object];
+    if (n.empty()) return hit.geometricNormal;
+    const glm::vec3 sum = (1 - hit.barycentric.x - hit.barycentric.y) * n[t.x] +
+                          hit.barycentric.x * n[t.y] + hit.barycentric.y * n[t.z];
+    const float length = glm::length(sum);
+    return length > 0 ? sum / length : hit.geometricNormal;
+  }
+
+  std::string message;
+  Device device;
+  Scene scene;
+  std::vector<std::vector<glm::vec3>> normals;
+  std::vector<std::vector<glm::uvec3>> triangles;
+};
+
+RayScene::RayScene(std::span<const TriangleMesh* const> meshes)
+    : implementation_(std::make_unique<Implementation>(meshes)) {}
+RayScene::RayScene(const TriangleMesh& mesh) : RayScene(std::array{&mesh}) {}
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+std::optional<RayHit> RayScene::closestHit(const glm::vec3& origin, const glm::vec3& direction,
+                                           float near) const {
+  RTCRayHit query{};
+  query.ray = newRay(origin, direction, near);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect(implementation_->scene, query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+
+  RayHit hit;
+  hit.object = query.hit.geomID;
+  hit.triangle = query.hit.primID;
+  hit.barycentric = {query.hit.u, query.hit.v};
+  hit.distance = query.ray.tfar;
+  hit.position = origin + hit.distance * direction;
+  // The length of Embree's normal, twice the area, can lie outside the range of float squares.
+  hit.geometricNormal =
+      glm::vec3(glm::normalize(glm::dvec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z)));
+  hit.shadingNormal = implementation_->interpolatedNormal(hit);
+  return hit;
+}
+
+bool RayScene::occluded(const glm::vec3& origin, const glm::vec3& direction, float near) const {
+  RTCRay ray = newRay(origin, direction, near);
+  embree::occlude(implementation_->scene, ray);
+  return ray.tfar < 0;
+}
+
+std::uint16_t RayScene::occluded16(std::span<const glm::vec3, 16> origins,
+                                   std::span<const glm::vec3, 16> directions, std::uint16_t valid,
+                                   float near) const {
+  RTCRay16 rays{};
+  alignas(64) int active[16];
+  for (std::size_t i = 0; i < 16; ++i) {
+    active[i] = valid >> i & 1 ? -1 : 0;
+    rays.org_x[i] = origins[i].x, rays.org_y[i] = origins[i].y, rays.org_z[i] = origins[i].z;
+    rays.dir_x[i] = directions[i].x;
+    rays.dir_y[i] = directions[i].y;
+    rays.dir_z[i] = directions[i].z;
+    rays.tnear[i] = near;
+    rays.tfar[i] = infinity;
+    rays.mask[i] = ~0u;
+  }
+  embree::occlude16(active, implementation_->scene, rays);
+  unsigned hits = 0;
+  for (unsigned i = 0; i < 16; ++i) hits |= unsigned(active[i] && rays.tfar[i] < 0) << i;
+  return static_cast<std::uint16_t>(hits);
+}
+
+}  // namespace haarlight

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "mesh/triangle_mesh.h"
+
+namespace haarlight {
+
+/// Where a ray meets a triangle.
+struct RayHit {
+  std::uint32_t object = 0;    ///< index of the mesh in the scene
+  std::uint32_t triangle = 0;  ///< index of the triangle in the mesh
+  glm::vec2 barycentric{0};    ///< weights of the triangle's second and third vertex
+  float distance = 0;          ///< in lengths of the ray's direction
+  glm::vec3 position{0};
+  glm::vec3 shadingNormal{0};    ///< unit, interpolated between the vertices' where they have any
+  glm::vec3 geometricNormal{0};  ///< unit, on the side from which the winding is counter-clockwise
+};
+
+/// Triangle meshes prepared for ray queries by Embree. Directions need not be unit vectors; a ray
+/// starts at origin + near · direction and has no end. Queries may run on any number of threads.
+class RayScene {
+ public:
+  /// Object i is *meshes[i]; the meshes are copied. Throws std::runtime_error with Embree's words
+  /// when it cannot build the scene.
+  explicit RayScene(std::span<const TriangleMesh* const> meshes);
+  explicit RayScene(const TriangleMesh& mesh);
+  ~RayScene();
+  RayScene(RayScene&&) noexcept;
+  RayScene& operator=(RayScene&&) noexcept;
+
+  std::optional<RayHit> closestHit(const glm::vec3& origin, const glm::vec3& direction,
+                                   float near = 0) const;
+
+  bool occluded(const glm::vec3& origin, const glm::vec3& direction, float near = 0) const;
+
+  /// Sixteen rays at once; bit i of `valid` says whether ray i counts. Bit i of the result is set
+  /// when ray i counts and meets something.
+  std::uint16_t occluded16(std::span<const glm::vec3, 16> origins,
+                           std::span<const glm::vec3, 16> directions, std::uint16_t valid = 0xffff,
+                           float near = 0) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace haarlight

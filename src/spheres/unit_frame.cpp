@@ -1,0 +1,25 @@
+#include "spheres/unit_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/mesh_measures.h"
+
+namespace haarlight {
+
+UnitFrame::UnitFrame(const TriangleMesh& mesh) {
+  const BoundingBox box = boundingBox(mesh);
+  const glm::dvec3 extent = glm::dvec3(box.upper) - glm::dvec3(box.lower);
+  center_ = (glm::dvec3(box.upper) + glm::dvec3(box.lower)) / 2.0;
+  int exponent = 0;
+  std::frexp(std::max({extent.x, extent.y, extent.z}), &exponent);
+  scale_ = std::ldexp(1.0, -exponent);
+}
+
+TriangleMesh UnitFrame::toUnit(const TriangleMesh& mesh) const {
+  TriangleMesh result = mesh;
+  for (auto& position : result.positions) position = toUnit(position);
+  return result;
+}
+
+}  // namespace haarlight
