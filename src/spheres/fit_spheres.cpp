@@ -54,13 +54,17 @@ int gridCells(std::size_t count) {
   return std::min(160, 32 + static_cast<int>(2 * std::sqrt(static_cast<double>(count))));
 }
 std::size_t coarsePointCount(std::size_t count) {
-  return std::clamp<std::size_t>(60 * count, 20000, 80000);
+  const std::size_t forFew = std::min<std::size_t>(3000 + 300 * count, 20000);
+  return std::min<std::size_t>(std::max(forFew, 60 * count), 80000);
 }
-constexpr std::size_t densePointCount = 150000;
+std::size_t densePointCount(std::size_t count) {
+  return std::clamp<std::size_t>(2000 * count, 30000, 150000);
+}
 
 /// Used vertices, centres of triangles, and points spread over the surface.
-std::vector<glm::vec3> pointsToCover(const TriangleMesh& mesh, std::uint64_t seed) {
-  std::vector<glm::vec3> points = sampleSurface(mesh, densePointCount, seed + 1);
+std::vector<glm::vec3> pointsToCover(const TriangleMesh& mesh, std::size_t count,
+                                     std::uint64_t seed) {
+  std::vector<glm::vec3> points = sampleSurface(mesh, densePointCount(count), seed + 1);
   std::vector<bool> used(mesh.positions.size());
   for (const glm::uvec3& t : mesh.triangles) {
     const glm::dvec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
@@ -175,7 +179,7 @@ SphereSet fitSpheres(const TriangleMesh& mesh, std::size_t count, const SphereFi
   const UnitFrame frame(mesh);
   const TriangleMesh unitMesh = frame.toUnit(mesh);
   const SolidGrid solid(unitMesh, gridCells(count));
-  const std::vector<glm::vec3> demanded = pointsToCover(mesh, options.seed);
+  const std::vector<glm::vec3> demanded = pointsToCover(mesh, count, options.seed);
   UnitPoints points;
   points.coarse = sampleSurface(unitMesh, coarsePointCount(count), options.seed);
   for (const glm::vec3& point : demanded) points.dense.push_back(frame.toUnit(point));

@@ -1,7 +1,6 @@
 #include "spheres/sphere_cover.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
