@@ -25,6 +25,32 @@
 #define LANE_BARRIER()
 #endif
 
+// The lanes of a work-item as vectors, for code that has to be vector code on a CPU: LANE_VECTORS
+// values of type LaneFloat and so on hold LANES_PER_ITEM lanes. Comparisons give LaneInt masks that
+// `&` and select() take.
+#if LANES_PER_ITEM == 1
+typedef float LaneFloat;
+typedef int LaneInt;
+typedef uint LaneUint;
+#define LANE_VECTORS 1
+#define LANE_NUMBERS(vector) ((int)get_local_id(0))
+#define TO_LANE_FLOAT(value) ((float)(value))
+#define TO_LANE_UINT(value) ((uint)(value))
+#define ANY_LANE(mask) (mask)
+#define STORE_LANES(value, address) ((address)[get_local_id(0)] = (value))
+#else
+typedef float16 LaneFloat;
+typedef int16 LaneInt;
+typedef uint16 LaneUint;
+#define LANE_VECTORS (LANES_PER_ITEM / 16)
+#define LANE_NUMBERS(vector) \
+  ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15) + 16 * (int)(vector))
+#define TO_LANE_FLOAT(value) convert_float16(value)
+#define TO_LANE_UINT(value) convert_uint16(value)
+#define ANY_LANE(mask) any(mask)
+#define STORE_LANES(value, address) vstore16(value, 0, address)
+#endif
+
 #define HAARLIGHT_KERNEL __kernel __attribute__((reqd_work_group_size(ITEMS_PER_GROUP, 1, 1)))
 
 // A receiver's normal (src/material/cosine_lobe.h).

@@ -6,6 +6,7 @@
 // nothing in a union.
 
 HAARLIGHT_KERNEL void mergeBitCubes(__global const float4* restrict positions,
+                                    __global const float4* restrict normals,
                                     __global const float4* restrict spheres,
                                     const uint sphereCount,
                                     __global const uint* restrict sphereTable,
@@ -14,7 +15,7 @@ HAARLIGHT_KERNEL void mergeBitCubes(__global const float4* restrict positions,
   __local uint entries[LANES];
   __local uint faces[LANES];
   const size_t sample = get_group_id(0);
-  const float4 position = positions[sample];
+  const float4 position = positions[sample], normal = normals[sample];
 
   uint rows[FACES][LANES_PER_ITEM];
   for (uint face = 0; face < FACES; ++face)
@@ -22,7 +23,8 @@ HAARLIGHT_KERNEL void mergeBitCubes(__global const float4* restrict positions,
 
   for (uint first = 0; first < sphereCount; first += LANES) {
     FOR_EACH_LANE(lane) {
-      const uint entry = sphereTableEntry(spheres[min(first + lane, sphereCount - 1)], position);
+      const float4 sphere = spheres[min(first + lane, sphereCount - 1)];
+      const uint entry = sphereTableEntry(sphere, position, normal);
       entries[lane] = entry;
       faces[lane] = occupiedFaces[entry];
     }

@@ -21,21 +21,24 @@ inline uint directionBin(float x, float y, float z) {
   return (face * FACE_SIZE + texelOf(t, major)) * FACE_SIZE + texelOf(s, major);
 }
 
-// r^2 >= (bin/32)^3, without the quotient; r' = 1/r for a sample inside the sphere.
-inline uint radiusBin(float x, float y, float z, float radius) {
+// r^2 >= (bin/32)^3 without the quotient; less where the centre is below the tangent plane.
+inline uint radiusBin(float x, float y, float z, float radius, float4 normal) {
   const float distanceSquared = (x * x + y * y) + z * z;
   const float radiusSquared = radius * radius;
-  const float smaller = fmin(distanceSquared, radiusSquared);
-  const float larger = fmax(distanceSquared, radiusSquared);
+  const float height = (x * normal.x + y * normal.y) + z * normal.z;
+  const float depth = fmin(height, 0.0f);
+  const float limit = (float)HORIZON_FACTOR * depth * depth;
   int bin = 0;
   for (int step = 16; step > 0; step /= 2) {
     const int next = bin + step;
-    if (smaller >= (float)(next * next * next) * 0x1p-15f * larger) bin = next;
+    const float bound = (float)(next * next * next) * 0x1p-15f;
+    if (radiusSquared >= bound * distanceSquared && limit <= (1.0f - bound) * distanceSquared)
+      bin = next;
   }
   return (uint)bin;
 }
 
-inline uint sphereTableEntry(float4 sphere, float4 position) {
+inline uint sphereTableEntry(float4 sphere, float4 position, float4 normal) {
   const float x = sphere.x - position.x, y = sphere.y - position.y, z = sphere.z - position.z;
-  return directionBin(x, y, z) * RADIUS_BINS + radiusBin(x, y, z, sphere.w);
+  return directionBin(x, y, z) * RADIUS_BINS + radiusBin(x, y, z, sphere.w, normal);
 }

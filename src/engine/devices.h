@@ -40,7 +40,8 @@ struct EngineOptions {
   int lanesPerItem = 0;
 };
 
-/// Throws InputError for an unknown engine or device.
+/// An engine that looks visibility up in `table`, or with none finds it exactly
+/// (visibility/visibility_kind.h). Throws InputError for an unknown engine or device.
 std::unique_ptr<Engine> makeEngine(const EngineOptions& options,
                                    std::shared_ptr<const SphereTable> table);
 

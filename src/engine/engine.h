@@ -59,7 +59,8 @@ class Engine {
                                        StageTimes* times = nullptr) = 0;
 };
 
-/// The scalar engine: one thread, written to be read beside the paper.
+/// The scalar engine: one thread, written to be read beside the paper. Without a table its
+/// visibility is exact.
 std::unique_ptr<Engine> makeReferenceEngine(std::shared_ptr<const SphereTable> table);
 
 }  // namespace haarlight

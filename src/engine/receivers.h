@@ -14,12 +14,15 @@ namespace haarlight {
 struct Receivers {
   /// World position; w is unused (0).
   std::vector<glm::vec4> positions;
-  /// Normal, as a blend of tabulated lobes.
+  /// Unit normal; w is unused (0).
+  std::vector<glm::vec4> normals;
+  /// The normal's lobe, as a blend of tabulated ones.
   std::vector<LobeBlend> lobes;
 
   std::size_t size() const { return positions.size(); }
   void add(const glm::vec3& position, const glm::vec3& unitNormal) {
     positions.emplace_back(position, 0.0f);
+    normals.emplace_back(unitNormal, 0.0f);
     lobes.push_back(blendLobes(unitNormal));
   }
 };
@@ -27,15 +30,19 @@ struct Receivers {
 /// A contiguous part of the receivers, as engines work through them.
 struct ReceiverSpan {
   std::span<const glm::vec4> positions;
+  std::span<const glm::vec4> normals;
   std::span<const LobeBlend> lobes;
 
-  ReceiverSpan(const Receivers& all) : positions(all.positions), lobes(all.lobes) {}
-  ReceiverSpan(std::span<const glm::vec4> p, std::span<const LobeBlend> l)
-      : positions(p), lobes(l) {}
+  ReceiverSpan(const Receivers& all)
+      : positions(all.positions), normals(all.normals), lobes(all.lobes) {}
 
   std::size_t size() const { return positions.size(); }
   ReceiverSpan part(std::size_t first, std::size_t count) const {
-    return {positions.subspan(first, count), lobes.subspan(first, count)};
+    ReceiverSpan span = *this;
+    span.positions = positions.subspan(first, count);
+    span.normals = normals.subspan(first, count);
+    span.lobes = lobes.subspan(first, count);
+    return span;
   }
 };
 

@@ -1,6 +1,5 @@
 #include "visibility/sphere_bin.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace haarlight {
@@ -34,20 +33,25 @@ int directionBin(const glm::vec3& toCenter) {
   return (f.face * faceSize + texelOf(f.t, f.major)) * faceSize + texelOf(f.s, f.major);
 }
 
-int radiusBin(const glm::vec3& d, float radius) {
+int radiusBin(const glm::vec3& d, float radius, const glm::vec3& normal) {
   const float distanceSquared = (d.x * d.x + d.y * d.y) + d.z * d.z;
   const float radiusSquared = radius * radius;
-  const float smaller = std::fmin(distanceSquared, radiusSquared);
-  const float larger = std::fmax(distanceSquared, radiusSquared);
+  const float height = (d.x * normal.x + d.y * normal.y) + d.z * normal.z;
+  const float depth = std::fmin(height, 0.0f);  // below the tangent plane, or 0
+  const float limit = horizonFactor * depth * depth;
   int bin = 0;
-  for (int step = 16; step > 0; step /= 2)
-    if (smaller >= radiusBinBound(bin + step) * larger) bin += step;
+  for (int step = 16; step > 0; step /= 2) {
+    const float bound = radiusBinBound(bin + step);
+    if (radiusSquared >= bound * distanceSquared && limit <= (1 - bound) * distanceSquared)
+      bin += step;
+  }
   return bin;
 }
 
-int sphereTableEntry(const Sphere& sphere, const glm::vec3& samplePosition) {
+int sphereTableEntry(const Sphere& sphere, const glm::vec3& samplePosition,
+                     const glm::vec3& sampleNormal) {
   const glm::vec3 toCenter = sphere.center - samplePosition;
-  return directionBin(toCenter) * radiusBins + radiusBin(toCenter, sphere.radius);
+  return directionBin(toCenter) * radiusBins + radiusBin(toCenter, sphere.radius, sampleNormal);
 }
 
 }  // namespace haarlight

@@ -31,13 +31,18 @@ constexpr double radiusBinCenter(int bin) {
 /// float32: the quotient s = x/|major| is never formed, its bounds are multiplied instead.
 int directionBin(const glm::vec3& toCenter);
 
-/// Radius bin of a sphere whose centre is `toCenter` away. A sphere that contains the sample
-/// (r ≥ 1) is seen as one of r' = 1/r: the sample just inside the surface sees what the sample just
-/// outside sees, a hemisphere, and the deeper it lies the less is blocked. Receivers on the model
-/// itself lie inside the spheres fitted to it; docs/method.md compares this rule with others.
-int radiusBin(const glm::vec3& toCenter, float radius);
+/// Receivers on the model itself lie inside the spheres fitted to it (r ≥ 1), or just outside. Such
+/// a sphere is taken for less than it is: r'² = min(r², 1), and where its centre lies below the
+/// sample's tangent plane (v·n < 0), r'² = min(r², 1, 1 − 16 (v·n)²). So a sample inside a sphere
+/// sees a hemisphere blocked when the centre is above its horizon, and nothing when it is more than
+/// 14.5° below. docs/method.md compares this rule with others by their error.
+inline constexpr float horizonFactor = 16;
+
+/// Radius bin of a sphere whose centre is `toCenter` away, seen from a sample with unit `normal`.
+int radiusBin(const glm::vec3& toCenter, float radius, const glm::vec3& normal);
 
 /// Index of the sphere's mask in the table: directionBin · 32 + radiusBin.
-int sphereTableEntry(const Sphere& sphere, const glm::vec3& samplePosition);
+int sphereTableEntry(const Sphere& sphere, const glm::vec3& samplePosition,
+                     const glm::vec3& sampleNormal);
 
 }  // namespace haarlight

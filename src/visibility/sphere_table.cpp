@@ -111,6 +111,16 @@ SphereTable SphereTable::build() {
   return table;
 }
 
+BitCube SphereTable::bitCube(std::span<const Sphere> spheres, const glm::vec3& samplePosition,
+                             const glm::vec3& sampleNormal) const {
+  BitCube cube;
+  for (const Sphere& sphere : spheres) {
+    const auto rows = mask(sphereTableEntry(sphere, samplePosition, sampleNormal));
+    for (int row = 0; row < bitCubeRows; ++row) cube.rows[row] |= rows[row];
+  }
+  return cube;
+}
+
 SphereTable SphereTable::load(const std::filesystem::path& folder) {
   if (folder.empty()) return build();
   const auto file = sphereTableFile(folder);

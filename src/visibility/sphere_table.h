@@ -34,12 +34,16 @@ class SphereTable {
     return words().subspan(std::size_t(entry) * bitCubeRows, bitCubeRows);
   }
 
+  /// Union of the masks of all spheres, seen from a sample.
+  BitCube bitCube(std::span<const Sphere> spheres, const glm::vec3& samplePosition,
+                  const glm::vec3& sampleNormal) const;
+
  private:
   std::vector<std::uint32_t> words_;
   std::vector<std::uint8_t> occupiedFaces_;
 };
 
-/// How SphereTable::load came by the table, for messages.
+/// The file in `folder` that load() reads and writes.
 std::filesystem::path sphereTableFile(const std::filesystem::path& folder);
 
 }  // namespace haarlight

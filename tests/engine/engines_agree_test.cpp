@@ -34,11 +34,14 @@ void checkRadiance(Engine& reference, Engine& engine, const TestScene& scene, in
 }  // namespace
 
 TEST_CASE("reference and OpenCL agree in every bit on 200 random scenes") {
-  for (const int lanesPerItem : {32, 1}) {
-    const auto engine = openClEngine(lanesPerItem);
+  for (const auto& [visibility, lanesPerItem] :
+       {std::pair(VisibilityKind::table, 32), std::pair(VisibilityKind::table, 1),
+        std::pair(VisibilityKind::exact, 32), std::pair(VisibilityKind::exact, 1)}) {
+    const auto engine = openClEngine(visibility, lanesPerItem);
     if (!engine) return;
-    const auto reference = referenceEngine();
+    const auto reference = referenceEngine(visibility);
     for (unsigned seed = 0; seed < 200; ++seed) {
+      CAPTURE(int(visibility));
       CAPTURE(lanesPerItem);
       CAPTURE(seed);
       const TestScene scene = randomScene(seed);

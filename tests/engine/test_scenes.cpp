@@ -77,11 +77,15 @@ std::shared_ptr<const SphereTable> sharedSphereTable() {
   return table;
 }
 
-std::unique_ptr<Engine> referenceEngine() {
-  return makeReferenceEngine(sharedSphereTable());
+std::shared_ptr<const SphereTable> tableFor(VisibilityKind visibility) {
+  return visibility == VisibilityKind::table ? sharedSphereTable() : nullptr;
 }
 
-std::unique_ptr<Engine> openClEngine(int lanesPerItem) {
+std::unique_ptr<Engine> referenceEngine(VisibilityKind visibility) {
+  return makeReferenceEngine(tableFor(visibility));
+}
+
+std::unique_ptr<Engine> openClEngine(VisibilityKind visibility, int lanesPerItem) {
   const auto devices = listDevices();
   const bool found = std::ranges::any_of(devices, [](const DeviceDescription& d) {
     return d.engine == "opencl" && d.problem.empty();
@@ -90,7 +94,7 @@ std::unique_ptr<Engine> openClEngine(int lanesPerItem) {
     std::printf("SKIPPED: %s\n", openClAdvice().c_str());
     return nullptr;
   }
-  return makeEngine({"opencl", "", lanesPerItem}, sharedSphereTable());
+  return makeEngine({"opencl", "", lanesPerItem}, tableFor(visibility));
 }
 
 ShadingTables tablesFor(const TestScene& scene, int terms, int levels) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/devices.h"
+#include "visibility/visibility_kind.h"
 
 namespace haarlight::test {
 
@@ -24,10 +25,11 @@ TestScene randomScene(unsigned seed, int receiverCount = 8);
 /// The sphere table, read or built once per process.
 std::shared_ptr<const SphereTable> sharedSphereTable();
 
-std::unique_ptr<Engine> referenceEngine();
+std::unique_ptr<Engine> referenceEngine(VisibilityKind visibility = VisibilityKind::exact);
 
 /// Null, after a line "SKIPPED: …", when this machine has no OpenCL device.
-std::unique_ptr<Engine> openClEngine(int lanesPerItem = 0);
+std::unique_ptr<Engine> openClEngine(VisibilityKind visibility = VisibilityKind::exact,
+                                     int lanesPerItem = 0);
 
 /// Tables for a scene.
 ShadingTables tablesFor(const TestScene& scene, int terms, int levels);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -58,17 +59,32 @@ TEST_CASE("the radius bin holds r = sin α between its bounds") {
     const float distance = scale(random), r = ratio(random);
     const glm::vec3 d = distance * randomDirection(random);
     const double trueRatio = double(distance * r) / glm::length(glm::dvec3(d));
-    const int bin = radiusBin(d, distance * r);
+    const int bin = radiusBin(d, distance * r, glm::normalize(d));
     CHECK(trueRatio >= std::pow(bin / 32.0, 1.5) * (1 - 1e-6));
     CHECK(trueRatio <= std::pow((bin + 1) / 32.0, 1.5) * (1 + 1e-6));
   }
 }
 
-TEST_CASE("a sample inside the sphere sees a sphere of the inverse radius") {
-  CHECK(radiusBin({0.5f, 0, 0}, 1) == radiusBin({1, 0, 0}, 0.5f));
-  CHECK(radiusBin({0.01f, 0, 0}, 1) == radiusBin({100, 0, 0}, 1));
-  CHECK(radiusBin({1, 0, 0}, 1) == radiusBins - 1);
-  CHECK(radiusBin({0, 0, 0}, 1) == 0);
+TEST_CASE("a sample inside a sphere sees a hemisphere when the centre is above its horizon") {
+  const glm::vec3 up(0, 1, 0);
+  CHECK(radiusBin({0, 0.01f, 0}, 1, up) == radiusBins - 1);
+  CHECK(radiusBin({0.5f, 0, 0}, 1, up) == radiusBins - 1);
+  CHECK(radiusBin({0, 0, 0}, 1, up) == radiusBins - 1);
+}
+
+TEST_CASE("below the horizon r'² is at most 1 − 16 (v·n)²") {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> sine(-0.25f, 0);
+  const glm::vec3 up(0, 1, 0);
+  for (int i = 0; i < 1000; ++i) {
+    const double s = sine(random), limit = std::sqrt(1 - 16 * s * s);
+    const glm::vec3 d(3 * std::sqrt(1 - s * s), 3 * s, 0);
+    const int bin = radiusBin(d, 10, up);
+    CHECK(limit >= std::pow(bin / 32.0, 1.5) - 1e-5);
+    CHECK(limit <= std::pow((bin + 1) / 32.0, 1.5) + 1e-5);
+    CHECK(radiusBin(d, 0.03f, up) == std::min(bin, radiusBin(d, 0.03f, glm::vec3(0, -1, 0))));
+  }
+  CHECK(radiusBin({0, -1, 0}, 10, up) == 0);
 }
 
 TEST_CASE("huge, tiny and non-finite distances still give an entry of the table") {
@@ -82,7 +98,7 @@ TEST_CASE("huge, tiny and non-finite distances still give an entry of the table"
                           std::numeric_limits<float>::quiet_NaN()};
   for (const float x : values)
     for (const float radius : {1e-30f, 1.0f, 1e30f}) {
-      const int entry = sphereTableEntry({{x, 0, -x}, radius}, {0, 0, 0});
+      const int entry = sphereTableEntry({{x, 0, -x}, radius}, {0, 0, 0}, {0, 1, 0});
       CHECK(entry >= 0);
       CHECK(entry < texelCount * radiusBins);
     }

@@ -34,8 +34,10 @@ TEST_CASE("an entry is the exact mask of its bin's direction and radius") {
   int bits = 0, different = 0;
   for (int i = 0; i < 300; ++i) {
     const int direction = int(random() % texelCount), bin = int(random() % radiusBins);
+    const glm::vec3 v(texelDirection(direction));
+    const Sphere sphere{v, float(std::sqrt(radiusBinCenter(bin)))};
     BitCube exact;
-    addSphereExactly(exact, texelDirection(direction), std::sqrt(radiusBinCenter(bin)));
+    addSphereExactly(exact, sphere, {0, 0, 0}, v);
     const auto mask = sharedTable().mask(direction * radiusBins + bin);
     for (int row = 0; row < bitCubeRows; ++row) {
       bits += std::popcount(exact.rows[row]);

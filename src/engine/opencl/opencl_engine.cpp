@@ -50,12 +50,12 @@ struct DeviceTables {
 
 /// What one batch of receivers passes from kernel to kernel.
 struct BatchBuffers {
-  GrowingBuffer positions, lobes, bitCubes, coefficients, means, blocks, radiance;
+  GrowingBuffer positions, normals, lobes, bitCubes, coefficients, means, blocks, radiance;
 };
 
 class OpenClEngine final : public Engine {
  public:
-  OpenClEngine(const OpenClDevice& device, int lanesPerItem, const SphereTable& table);
+  OpenClEngine(const OpenClDevice& device, int lanesPerItem, const SphereTable* table);
 
   std::string name() const override { return "opencl"; }
   std::string deviceName() const override { return device_.name + " (" + device_.platform + ")"; }
@@ -84,6 +84,7 @@ class OpenClEngine final : public Engine {
 
   OpenClDevice device_;
   int lanesPerItem_;
+  bool usesTable_;
   cl::Context context_;
   cl::CommandQueue queue_;
   cl::Kernel merge_, transform_, tripleProduct_;
@@ -97,17 +98,20 @@ class OpenClEngine final : public Engine {
 /// CPU, and a GPU still has enough to do.
 constexpr std::size_t cpuBatch = 2048, gpuBatch = 32768;
 
-OpenClEngine::OpenClEngine(const OpenClDevice& device, int lanesPerItem, const SphereTable& table)
+OpenClEngine::OpenClEngine(const OpenClDevice& device, int lanesPerItem, const SphereTable* table)
     : device_(device),
       lanesPerItem_(lanesPerItem),
+      usesTable_(table != nullptr),
       context_(device.device),
       queue_(context_, device.device, CL_QUEUE_PROFILING_ENABLE) {
-  upload(sphereTable_, table.words());
-  upload(occupiedFaces_, table.occupiedFaces());
+  if (table) {
+    upload(sphereTable_, table->words());
+    upload(occupiedFaces_, table->occupiedFaces());
+  }
   upload(blockTable_, std::span(blockTable()));
   const auto start = Clock::now();
   const cl::Program program = buildOpenClProgram(context_, device.device, lanesPerItem);
-  merge_ = cl::Kernel(program, "mergeBitCubes");
+  merge_ = cl::Kernel(program, table ? "mergeBitCubes" : "mergeBitCubesExactly");
   transform_ = cl::Kernel(program, "transformOcclusion");
   tripleProduct_ = cl::Kernel(program, "tripleProduct");
   warmUp();
@@ -153,10 +157,13 @@ cl::Event OpenClEngine::launchMerge(std::span<const Sphere> spheres, std::size_t
   batch_.bitCubes.atLeast(context_, samples * sizeof(BitCube));
   cl_uint argument = 0;
   merge_.setArg(argument++, batch_.positions.get());
+  merge_.setArg(argument++, batch_.normals.get());
   merge_.setArg(argument++, spheres_.get());
   merge_.setArg(argument++, cl_uint(spheres.size()));
-  merge_.setArg(argument++, sphereTable_.get());
-  merge_.setArg(argument++, occupiedFaces_.get());
+  if (usesTable_) {
+    merge_.setArg(argument++, sphereTable_.get());
+    merge_.setArg(argument++, occupiedFaces_.get());
+  }
   merge_.setArg(argument++, batch_.bitCubes.get());
   return launch(merge_, samples);
 }
@@ -218,6 +225,7 @@ std::vector<BitCube> OpenClEngine::mergeBitCubes(std::span<const Sphere> spheres
   if (cubes.empty()) return cubes;
   upload(spheres_, spheres);
   upload(batch_.positions, receivers.positions);
+  upload(batch_.normals, receivers.normals);
   launchMerge(spheres, receivers.size());
   download(batch_.bitCubes, std::span(cubes));
   return cubes;
@@ -242,6 +250,7 @@ std::vector<OcclusionHaar> OpenClEngine::transformOcclusion(std::span<const BitC
 void OpenClEngine::shadeBatch(std::span<const Sphere> spheres, ReceiverSpan receivers,
                               std::span<glm::vec4> radiance, StageTimes& times) {
   times.upload += seconds(upload(batch_.positions, receivers.positions));
+  times.upload += seconds(upload(batch_.normals, receivers.normals));
   times.upload += seconds(upload(batch_.lobes, receivers.lobes));
   const cl::Event merge = launchMerge(spheres, receivers.size());
   const cl::Event transform = launchTransform(receivers.size());
@@ -287,7 +296,7 @@ std::unique_ptr<Engine> makeOpenClEngine(const EngineOptions& options,
   return inWords([&]() -> std::unique_ptr<Engine> {
     const OpenClDevice device = chooseOpenClDevice(options.device);
     const int lanes = options.lanesPerItem ? options.lanesPerItem : device.isCpu ? partialSums : 1;
-    return std::make_unique<OpenClEngine>(device, lanes, *table);
+    return std::make_unique<OpenClEngine>(device, lanes, table.get());
   });
 }
 

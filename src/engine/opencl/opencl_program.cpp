@@ -21,7 +21,7 @@ std::string constants(int lanesPerItem) {
   return "// Constants of the host.\n" + define("LANES", partialSums) +
          define("LANES_PER_ITEM", lanesPerItem) + define("FACES", faceCount) +
          define("FACE_SIZE", faceSize) + define("BIT_CUBE_ROWS", bitCubeRows) +
-         define("RADIUS_BINS", radiusBins) +
+         define("RADIUS_BINS", radiusBins) + define("HORIZON_FACTOR", int(horizonFactor)) +
          define("COARSE_COEFFICIENTS", coarseCoefficientsPerFace) +
          define("COARSE_MEANS", coarseMeansPerFace) + define("BLOCKS", blockCount) +
          define("BLOCKS_PER_FACE", blocksPerFace) + define("BLOCKS_PER_SIDE", blocksPerSide) +
@@ -32,8 +32,9 @@ std::string constants(int lanesPerItem) {
 
 std::string openClSource(int lanesPerItem) {
   std::string source = constants(lanesPerItem);
-  for (const char* file : {"lanes.cl", "sphere_bin.cl", "merge_bit_cubes.cl",
-                           "transform_occlusion.cl", "triple_product.cl"})
+  for (const char* file :
+       {"lanes.cl", "sphere_bin.cl", "merge_bit_cubes.cl", "merge_bit_cubes_exactly.cl",
+        "transform_occlusion.cl", "triple_product.cl"})
     source += embedded::kernels(file);
   return source;
 }

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "engine/engine.h"
-#include "visibility/sphere_bin.h"
+#include "visibility/exact_visibility.h"
 
 namespace haarlight {
 
@@ -142,7 +142,8 @@ class ReferenceEngine final : public Engine {
   std::vector<BitCube> mergeBitCubes(std::span<const Sphere> spheres,
                                      ReceiverSpan receivers) override {
     std::vector<BitCube> cubes;
-    for (const glm::vec4& position : receivers.positions) cubes.push_back(merge(spheres, position));
+    for (std::size_t i = 0; i < receivers.size(); ++i)
+      cubes.push_back(merge(spheres, receivers.positions[i], receivers.normals[i]));
     return cubes;
   }
 
@@ -160,7 +161,7 @@ class ReferenceEngine final : public Engine {
     std::vector<glm::vec4> radiance;
     radiance.reserve(receivers.size());
     for (std::size_t i = 0; i < receivers.size(); ++i) {
-      const BitCube cube = merge(spheres, receivers.positions[i]);
+      const BitCube cube = merge(spheres, receivers.positions[i], receivers.normals[i]);
       clock.lap(stages.merge);
       const OcclusionHaar occlusion = haarlight::transformOcclusion(cube);
       clock.lap(stages.transform);
@@ -172,13 +173,10 @@ class ReferenceEngine final : public Engine {
   }
 
  private:
-  BitCube merge(std::span<const Sphere> spheres, const glm::vec3& position) const {
-    BitCube cube;
-    for (const Sphere& sphere : spheres) {
-      const auto mask = table_->mask(sphereTableEntry(sphere, position));
-      for (int row = 0; row < bitCubeRows; ++row) cube.rows[row] |= mask[row];
-    }
-    return cube;
+  BitCube merge(std::span<const Sphere> spheres, const glm::vec3& position,
+                const glm::vec3& normal) const {
+    return table_ ? table_->bitCube(spheres, position, normal)
+                  : exactBitCube(spheres, position, normal);
   }
 
   std::shared_ptr<const SphereTable> table_;

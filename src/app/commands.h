@@ -1,0 +1,14 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace haarlight {
+
+/// Each adds its subcommand, with options and what it runs, to the command line.
+void addBakeCommand(CLI::App& app);
+void addDevicesCommand(CLI::App& app);
+void addFitCommand(CLI::App& app);
+void addInfoCommand(CLI::App& app);
+void addRenderCommand(CLI::App& app);
+
+}  // namespace haarlight

@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "image/read_image.h"
+#include "light/light_projection.h"
+#include "light/load_light.h"
+#include "mesh/mesh_file.h"
+#include "mesh/mesh_measures.h"
+#include "scene/names.h"
+#include "scene/scene_file.h"
+#include "spheres/sphere_set.h"
+
+namespace haarlight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Vector>
+Json list(const Vector& v) {
+  return {v[0], v[1], v[2]};
+}
+
+Json describeMesh(const std::string& name, Console& console) {
+  const LoadedMesh loaded = loadMeshOrBuiltin(name);
+  for (const std::string& warning : loaded.warnings) console.warning(name + ": " + warning);
+  const BoundingBox box = boundingBox(loaded.mesh);
+  const MeshTopology& topology = loaded.topology;
+  return {{"kind", "mesh"},
+          {"vertices", topology.vertices},
+          {"triangles", loaded.mesh.triangles.size()},
+          {"closed", topology.closed},
+          {"parts", topology.components},
+          {"boundary_edges", topology.boundaryEdges},
+          {"non_manifold_edges", topology.nonManifoldEdges},
+          {"lower_corner", list(box.lower)},
+          {"upper_corner", list(box.upper)},
+          {"surface_area", surfaceArea(loaded.mesh)},
+          {"volume", signedVolume(loaded.mesh)},
+          {"hash", fmt::format("{:016x}", meshHash(loaded.mesh))}};
+}
+
+Json describeSet(const std::string& name) {
+  const SphereSet set = readSphereSet(name);
+  const auto [smallest, largest] = std::ranges::minmax(set.spheres, {}, &Sphere::radius);
+  Json info{{"kind", "sphere set"},
+            {"spheres", set.spheres.size()},
+            {"mesh", set.meshName},
+            {"mesh_hash", fmt::format("{:016x}", set.meshHash)},
+            {"method", set.method},
+            {"seed", set.seed},
+            {"covered_surface", set.measures.coveredFraction}};
+  if (set.measures.outsideVolumeRatio)
+    info["outside_volume_ratio"] = *set.measures.outsideVolumeRatio;
+  info["smallest_radius"] = smallest.radius;
+  info["largest_radius"] = largest.radius;
+  return info;
+}
+
+Json describeSceneFile(const std::string& name) {
+  const SceneDescription scene = readScene(name);
+  Json objects = Json::array();
+  for (const ObjectDescription& object : scene.objects)
+    objects.push_back({{"name", object.name}, {"mesh", object.mesh}});
+  Json info{{"kind", "scene"}, {"objects", scene.objects.size()}};
+  if (!objects.empty()) info["object"] = objects;
+  if (scene.receiver)
+    info["receiver_samples"] =
+        fmt::format("{}x{}", scene.receiver->samples.x, scene.receiver->samples.y);
+  info["light"] = scene.light.source;
+  info["image"] = fmt::format("{}x{}", scene.image.width, scene.image.height);
+  info["method"] = nameOf(shadingMethodNames, scene.shading.method);
+  info["terms"] = scene.shading.terms;
+  info["levels"] = scene.shading.levels;
+  return info;
+}
+
+/// Power as a light; an image of no light layout has none.
+void addLightFigures(const std::string& name, Json& info) {
+  try {
+    const LoadedLight light = loadLight(name);
+    const LightProjection projection = projectToCube(*light.environment);
+    info["as_light"] = light.environment->description();
+    info["power"] = list(projection.sourcePower);
+    info["power_on_the_cube"] = list(projection.cubePower);
+    info["power_kept"] = projection.powerRatio;
+  } catch (const InputError& error) {
+    info["as_light"] = std::string("no: ") + error.what();
+  }
+}
+
+Json describeImage(const std::string& name, Console& console) {
+  const ImageFile file = readImage(name);
+  for (const std::string& warning : file.warnings) console.warning(name + ": " + warning);
+  glm::vec3 largest(0);
+  for (const glm::vec3& pixel : file.image.pixels) largest = glm::max(largest, pixel);
+  Json info{{"kind", "image"},
+            {"format", file.format},
+            {"size", fmt::format("{}x{}", file.image.width, file.image.height)},
+            {"channels", file.channels},
+            {"largest_values", list(largest)}};
+  for (const auto& [key, value] : file.attributes) info["attributes"][key] = value;
+  addLightFigures(name, info);
+  return info;
+}
+
+Json describeBuiltin(const std::string& name, Console& console) {
+  if (std::ranges::find(builtinScenes, name) != builtinScenes.end()) return describeSceneFile(name);
+  if (!name.ends_with("torusknot") && !name.ends_with("sphere")) {
+    Json info{{"kind", "light"}};
+    addLightFigures(name, info);
+    return info;
+  }
+  return describeMesh(name, console);
+}
+
+bool isSphereSet(const std::string& name) {
+  const auto bytes = readWholeFile(name, "file", std::uint64_t(64) << 20);
+  const auto json = nlohmann::json::parse(bytes, nullptr, false);
+  return json.is_object() && json.contains("spheres") && json.contains("format");
+}
+
+std::string lowerExtension(const std::string& name) {
+  std::string extension = std::filesystem::path(name).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+Json describeFile(const std::string& name, Console& console) {
+  if (name.starts_with(builtinPrefix)) return describeBuiltin(name, console);
+  const std::string extension = lowerExtension(name);
+  if (extension == ".json") return isSphereSet(name) ? describeSet(name) : describeSceneFile(name);
+  if (extension == ".hdr" || extension == ".exr" || extension == ".pic" || extension == ".rgbe")
+    return describeImage(name, console);
+  return describeMesh(name, console);
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app) {
+  struct InfoOptions {
+    GeneralOptions general;
+    std::string file;
+  };
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App* command =
+      app.add_subcommand("info", "Say what a mesh, light, image, sphere set or scene file holds");
+  command->footer("Example: haarlight info grace.hdr");
+  command->add_option("FILE", options->file, "File, or builtin:…")->required();
+  addGeneralOptions(*command, options->general);
+  command->callback([options] {
+    Console console(options->general.json, options->general.quiet);
+    Json results{{"file", options->file}};
+    results.update(describeFile(options->file, console));
+    console.results(results);
+  });
+}
+
+}  // namespace haarlight

@@ -1,0 +1,53 @@
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/version.h"
+#include "base/error.h"
+
+namespace {
+
+/// 0 done, 1 failed, 2 bad usage or input.
+int run(int argc, char** argv) {
+  CLI::App app(
+      "haarlight: all-frequency soft shadows of dynamic scenes under HDR environment light");
+  app.set_version_flag("--version", "haarlight " HAARLIGHT_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(28);
+  app.footer("`haarlight COMMAND --help` explains a command. Try: haarlight render -o picture.png");
+  haarlight::addRenderCommand(app);
+  haarlight::addBakeCommand(app);
+  haarlight::addFitCommand(app);
+  haarlight::addInfoCommand(app);
+  haarlight::addDevicesCommand(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    throw haarlight::InputError(std::string(error.what()) + "; see haarlight --help");
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const int status = run(argc, argv);
+    if (std::fflush(stdout) != 0) throw haarlight::InputError("cannot write to standard output");
+    return status;
+  } catch (const haarlight::InputError& error) {
+    haarlight::printToStderr("error", error.what());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    haarlight::printToStderr("error", "out of memory");
+    return 1;
+  } catch (const std::exception& error) {
+    haarlight::printToStderr("error", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,165 @@
+#include "app/options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "scene/names.h"
+#include "scene/scene_file.h"
+#include "spheres/sphere_set.h"
+
+namespace haarlight {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// An object standing on the ground plane, two units large, seen by the default camera.
+SceneDescription sceneAroundMesh(const std::string& mesh) {
+  ObjectDescription object;
+  object.name = fs::path(mesh).stem().string();
+  object.mesh = mesh;
+  object.transform.fit = 2.0;
+  object.transform.rest = Rest::Ground;
+  SceneDescription scene;
+  scene.objects.push_back(object);
+  scene.receiver = ReceiverDescription{};
+  return scene;
+}
+
+void applyLight(const SceneOptions& options, LightDescription& light) {
+  if (!options.light.empty()) {
+    light.source = options.light;
+    light.layout = "auto";
+  }
+  if (!options.layout.empty()) light.layout = options.layout;
+  if (options.lightRotation) light.rotateDegrees = *options.lightRotation;
+  if (options.lightScale) light.scale = *options.lightScale;
+}
+
+void applyShading(const SceneOptions& options, ShadingDescription& shading) {
+  if (!options.method.empty()) shading.method = choiceOf(shadingMethodNames, options.method);
+  if (!options.engine.empty()) shading.engine = choiceOf(engineChoiceNames, options.engine);
+  if (options.terms) shading.terms = *options.terms;
+  if (options.levels) shading.levels = *options.levels;
+}
+
+}  // namespace
+
+void addGeneralOptions(CLI::App& command, GeneralOptions& options) {
+  command.add_flag("--json", options.json, "Print the results as JSON")->group("Output");
+  command.add_flag("--quiet", options.quiet, "No messages and no progress bar")->group("Output");
+  command.add_option("--threads", options.threads, "Threads on the host, 0: one per processor")
+      ->group("Computation")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+void addSceneOptions(CLI::App& command, SceneOptions& options) {
+  command.add_option("SCENE", options.scene, "Scene file, builtin:default or builtin:smooth");
+  const auto text = [&](const char* name, std::string& value, const char* help, const char* group) {
+    return command.add_option(name, value, help)->group(group);
+  };
+  text("--mesh", options.mesh, "Instead of a scene: a mesh on the ground plane", "Scene");
+  text("--light", options.light,
+       "EXR or Radiance HDR image, builtin:lamps, builtin:sky or builtin:constant", "Scene");
+  text("--layout", options.layout, "How the light's image covers the sphere [by its shape]",
+       "Scene")
+      ->check(CLI::IsMember(std::vector<std::string>(lightLayouts.begin(), lightLayouts.end())));
+  command.add_option("--light-rotate", options.lightRotation, "Degrees about +Y [0]")
+      ->group("Scene");
+  command.add_option("--light-scale", options.lightScale, "Factor on the radiance [1]")
+      ->group("Scene")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--spheres", options.spheres, "Spheres fitted to each object [64]")
+      ->group("Scene")
+      ->check(CLI::Range(1, int(maximumSphereCount)));
+  text("--method", options.method, "haar, pixel (all texels) or pixel-mesh (rays) [haar]",
+       "Computation")
+      ->check(CLI::IsMember(namesOf(shadingMethodNames)));
+  command.add_option("--terms", options.terms, "Light wavelets kept, 0 to 6144 [200]")
+      ->group("Computation")
+      ->check(CLI::Range(0, maximumTerms));
+  command.add_option("--levels", options.levels, "Levels of visibility, 1 or 2 [2]")
+      ->group("Computation")
+      ->check(CLI::Range(1, 2));
+  text("--visibility", options.visibility,
+       "Of a sphere, for haar and pixel: table (the paper's, fast) or exact", "Computation")
+      ->check(CLI::IsMember({"table", "exact"}))
+      ->capture_default_str();
+  text("--engine", options.engine, "auto, reference or opencl [auto]", "Computation")
+      ->check(CLI::IsMember(namesOf(engineChoiceNames)));
+  text("--device", options.device, "OpenCL device: part of its name, or its index", "Computation");
+}
+
+SceneDescription describeScene(const SceneOptions& options) {
+  if (!options.scene.empty() && !options.mesh.empty())
+    throw InputError("give a scene or --mesh, not both");
+  SceneDescription scene =
+      !options.mesh.empty() ? sceneAroundMesh(options.mesh)
+                            : readScene(options.scene.empty() ? "builtin:default" : options.scene);
+  applyLight(options, scene.light);
+  applyShading(options, scene.shading);
+  if (options.spheres)
+    for (ObjectDescription& object : scene.objects) object.spheres = *options.spheres;
+  return scene;
+}
+
+std::shared_ptr<const SphereTable> openSphereTable(const SceneOptions& options, Console& console) {
+  if (options.visibility == "exact") return nullptr;
+  const auto start = std::chrono::steady_clock::now();
+  const auto table = std::make_shared<const SphereTable>(SphereTable::load(cacheFolder()));
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  console.message(fmt::format("sphere table ready in {:.2f} s", seconds.count()));
+  return table;
+}
+
+std::shared_ptr<Engine> openEngine(const SceneOptions& options, const SceneDescription& scene,
+                                   std::shared_ptr<const SphereTable> table, Console& console) {
+  EngineOptions engineOptions;
+  engineOptions.engine = nameOf(engineChoiceNames, scene.shading.engine);
+  engineOptions.device = options.device;
+  std::shared_ptr<Engine> engine = makeEngine(engineOptions, std::move(table));
+  if (engineOptions.engine == "auto" && engine->name() == "reference")
+    console.warning(openClAdvice() + "; using the scalar reference engine");
+  if (engine->preparationSeconds() > 0)
+    console.message(fmt::format("{}: kernels ready in {:.2f} s", engine->deviceName(),
+                                engine->preparationSeconds()));
+  return engine;
+}
+
+glm::ivec2 parseSize(const std::string& text, const std::string& option) {
+  glm::ivec2 size(0);
+  const char* end = text.data() + text.size();
+  const auto [afterWidth, widthError] = std::from_chars(text.data(), end, size.x);
+  if (widthError == std::errc() && afterWidth != end && *afterWidth == 'x') {
+    const auto [afterHeight, heightError] = std::from_chars(afterWidth + 1, end, size.y);
+    if (heightError == std::errc() && afterHeight == end && size.x > 0 && size.y > 0) {
+      if (std::int64_t(size.x) * size.y <= maximumPixelCount) return size;
+      throw InputError(fmt::format("{} {}: at most {} in all", option, text, maximumPixelCount));
+    }
+  }
+  throw InputError(fmt::format("{} takes WIDTHxHEIGHT such as 960x540, not '{}'", option, text));
+}
+
+void checkTarget(const fs::path& target, const std::vector<std::string>& extensions) {
+  if (std::ranges::find(extensions, target.extension().string()) == extensions.end())
+    throw InputError(fmt::format("cannot write {}: its name must end in {}", target.string(),
+                                 fmt::join(extensions, " or ")));
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw InputError(
+        fmt::format("cannot write {}: there is no folder {}", target.string(), folder.string()));
+  if (access(folder.c_str(), W_OK) != 0)
+    throw InputError(fmt::format("cannot write {}: the folder {} is not writable", target.string(),
+                                 folder.string()));
+}
+
+}  // namespace haarlight

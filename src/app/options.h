@@ -1,0 +1,84 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/console.h"
+#include "engine/devices.h"
+#include "scene/scene_description.h"
+
+namespace haarlight {
+
+/// Options that every command has.
+struct GeneralOptions {
+  bool json = false;
+  bool quiet = false;
+  unsigned threads = 0;
+};
+
+void addGeneralOptions(CLI::App& command, GeneralOptions& options);
+
+/// A scene from a file or from a mesh, and what the command line changes about it.
+struct SceneOptions {
+  std::string scene;
+  std::string mesh;
+  std::string light;
+  std::string layout;
+  std::optional<double> lightRotation;
+  std::optional<double> lightScale;
+  std::optional<int> spheres;
+  std::string method;
+  std::optional<int> terms;
+  std::optional<int> levels;
+  std::string visibility = "table";
+  std::string engine;
+  std::string device;
+};
+
+void addSceneOptions(CLI::App& command, SceneOptions& options);
+
+/// The scene that the options ask for; without a scene and a mesh the built-in default. Throws
+/// InputError.
+SceneDescription describeScene(const SceneOptions& options);
+
+/// The sphere table, or null when the options ask for exact visibility.
+std::shared_ptr<const SphereTable> openSphereTable(const SceneOptions& options, Console& console);
+
+/// The engine that the options and the scene ask for; says on the console how long compiling
+/// kernels took.
+std::shared_ptr<Engine> openEngine(const SceneOptions& options, const SceneDescription& scene,
+                                   std::shared_ptr<const SphereTable> table, Console& console);
+
+/// "960x540" as two positive numbers. Throws InputError naming the option.
+glm::ivec2 parseSize(const std::string& text, const std::string& option);
+
+/// Throws InputError unless a file of one of these extensions can be made at `target`, so that no
+/// work is done in vain.
+void checkTarget(const std::filesystem::path& target, const std::vector<std::string>& extensions);
+
+/// The name of a choice, and the choice of a name (scene/names.h).
+template <typename Names, typename Choice>
+std::string nameOf(const Names& names, Choice choice) {
+  for (const auto& entry : names)
+    if (entry.choice == choice) return std::string(entry.name);
+  return {};
+}
+
+template <typename Names>
+auto choiceOf(const Names& names, const std::string& name) {
+  for (const auto& entry : names)
+    if (entry.name == name) return entry.choice;
+  return names.front().choice;
+}
+
+template <typename Names>
+std::vector<std::string> namesOf(const Names& names) {
+  std::vector<std::string> list;
+  for (const auto& entry : names) list.emplace_back(entry.name);
+  return list;
+}
+
+}  // namespace haarlight

@@ -1,0 +1,103 @@
+#include "app/shading_setup.h"
+
+#include <fmt/format.h>
+
+#include "app/version.h"
+#include "scene/names.h"
+
+namespace haarlight {
+
+namespace {
+
+std::size_t sphereCount(const Scene& scene) {
+  std::size_t count = 0;
+  for (const SceneObject& object : scene.objects) count += object.spheres.size();
+  return count;
+}
+
+}  // namespace
+
+ShadingSetup::ShadingSetup(const SceneOptions& options, SceneDescription description,
+                           Console& console)
+    : options_(options),
+      description_(std::move(description)),
+      console_(console),
+      scene_(loadScene(description_, console.progress())) {
+  for (const std::string& warning : scene_.warnings) console.warning(warning);
+  const LightProjection& projection = scene_.light.projection;
+  console.message(fmt::format("light: {}; {:.3f} % of its power is on the cube",
+                              scene_.light.environment->description(),
+                              100 * projection.powerRatio));
+}
+
+std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
+                                                     std::span<const SurfaceSample> typicalSamples,
+                                                     bool anyNormal) {
+  if (which == ShadingMethod::PixelMesh) return makePixelMeshMethod(scene_);
+  if (!table_) table_ = openSphereTable(options_, console_);
+  if (which == ShadingMethod::Pixel) return makePixelMethod(scene_, table_);
+  if (!engine_) engine_ = openEngine(options_, description_, table_, console_);
+  ShadingSettings settings;
+  settings.terms = description_.shading.terms;
+  settings.levels = description_.shading.levels;
+  return makeHaarMethod(scene_, engine_, settings, typicalSamples, anyNormal);
+}
+
+nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const {
+  nlohmann::ordered_json summary{{"method", method.name()}, {"device", method.deviceName()}};
+  if (method.name() == "haar") {
+    summary["terms"] = description_.shading.terms;
+    summary["levels"] = description_.shading.levels;
+  }
+  if (method.name() != "pixel-mesh") summary["visibility"] = options_.visibility;
+  summary["spheres"] = sphereCount(scene_);
+  summary["light"] = description_.light.source;
+  summary["light_power_kept"] = scene_.light.projection.powerRatio;
+  return summary;
+}
+
+ImageAttributes ShadingSetup::attributes(const RadianceMethod& method) const {
+  ImageAttributes attributes{{"software", std::string("haarlight " HAARLIGHT_VERSION)},
+                             {"method", method.name()},
+                             {"device", method.deviceName()},
+                             {"spheres", int(sphereCount(scene_))},
+                             {"light", description_.light.source}};
+  if (method.name() != "pixel-mesh") attributes["visibility"] = options_.visibility;
+  if (method.name() == "haar") {
+    attributes["terms"] = description_.shading.terms;
+    attributes["levels"] = description_.shading.levels;
+  }
+  return attributes;
+}
+
+nlohmann::ordered_json describeStages(const StageTimes& times) {
+  nlohmann::ordered_json stages{{"total", times.total}};
+  if (times.merge > 0) {
+    stages["upload"] = times.upload;
+    stages["merge"] = times.merge;
+    stages["transform"] = times.transform;
+    stages["triple_product"] = times.tripleProduct;
+    stages["read_back"] = times.readBack;
+  }
+  return stages;
+}
+
+nlohmann::ordered_json describeError(const ImageError& error, const std::string& referenceName) {
+  return {{"reference", referenceName},
+          {"rmse", error.rootMeanSquare},
+          {"mean", error.referenceMean},
+          {"rmse_relative_to_mean_percent", 100 * error.relativeRootMeanSquare},
+          {"largest_difference", error.maximum},
+          {"at_column", error.maximumPixel.x},
+          {"at_row", error.maximumPixel.y}};
+}
+
+void addCompareOption(CLI::App& command, std::string& method) {
+  command
+      .add_option("--compare-to", method,
+                  "Compute it again by this method and print the root mean square error")
+      ->group("Computation")
+      ->check(CLI::IsMember(namesOf(shadingMethodNames)));
+}
+
+}  // namespace haarlight

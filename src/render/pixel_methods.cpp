@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/parallel.h"
+#include "mesh/mesh_measures.h"
+#include "mesh/ray_scene.h"
+#include "render/radiance_method.h"
+#include "visibility/exact_visibility.h"
+
+namespace haarlight {
+
+namespace {
+
+/// Sums over the cube's texels; how a texel is found to be blocked is left to the methods.
+class TexelSumMethod : public RadianceMethod {
+ public:
+  explicit TexelSumMethod(const Scene& scene) : light_(scene.light.projection.cube) {}
+
+  std::string deviceName() const override {
+    return fmt::format("host, {} thread{}", threadCount(), threadCount() == 1 ? "" : "s");
+  }
+
+  std::vector<glm::vec3> radiance(std::span<const SurfaceSample> samples) override {
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<glm::vec3> radiance(samples.size());
+    parallelFor(samples.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) radiance[i] = radianceOf(samples[i]);
+    });
+    times_.total += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return radiance;
+  }
+
+ protected:
+  /// Bits of the texels that something blocks; texels without a lobe need not be looked at.
+  virtual BitCube blockedTexels(const SurfaceSample& sample,
+                                const std::vector<double>& lobe) const = 0;
+
+ private:
+  glm::vec3 radianceOf(const SurfaceSample& sample) const {
+    const auto lobe = cosineLobe(glm::dvec3(sample.normal));
+    const BitCube blocked = blockedTexels(sample, lobe);
+    glm::dvec3 sum(0);
+    for (int texel = 0; texel < texelCount; ++texel)
+      if (lobe[texel] > 0 && !blocked.blocked(texel))
+        sum += lobe[texel] * glm::dvec3(light_[texel]);
+    return sample.albedo * glm::vec3(sum / double(texelsPerFace));
+  }
+
+  RadianceCube light_;
+};
+
+class PixelMethod final : public TexelSumMethod {
+ public:
+  PixelMethod(const Scene& scene, std::shared_ptr<const SphereTable> table)
+      : TexelSumMethod(scene), table_(std::move(table)), spheres_(scene.blockerSpheres()) {}
+
+  std::string name() const override { return "pixel"; }
+
+ private:
+  BitCube blockedTexels(const SurfaceSample& sample, const std::vector<double>&) const override {
+    return table_ ? table_->bitCube(spheres_, sample.position, sample.normal)
+                  : exactBitCube(spheres_, sample.position, sample.normal);
+  }
+
+  std::shared_ptr<const SphereTable> table_;
+  std::vector<Sphere> spheres_;
+};
+
+std::vector<const TriangleMesh*> blockerMeshes(const Scene& scene) {
+  std::vector<const TriangleMesh*> meshes;
+  for (const SceneObject& object : scene.objects)
+    if (object.castsShadow) meshes.push_back(&object.mesh);
+  return meshes;
+}
+
+/// Distance by which rays leave the surface they start on: well above the rounding of positions of
+/// this magnitude, well below anything seen.
+float rayOffset(const std::vector<const TriangleMesh*>& meshes) {
+  float extent = 0;
+  for (const TriangleMesh* mesh : meshes) {
+    const BoundingBox box = boundingBox(*mesh);
+    for (const glm::vec3& corner : {glm::abs(box.lower), glm::abs(box.upper)})
+      extent = std::max({extent, corner.x, corner.y, corner.z});
+  }
+  return 1e-4f * extent;
+}
+
+class PixelMeshMethod final : public TexelSumMethod {
+ public:
+  explicit PixelMeshMethod(const Scene& scene)
+      : TexelSumMethod(scene),
+        rays_(blockerMeshes(scene)),
+        offset_(rayOffset(blockerMeshes(scene))) {
+    for (int texel = 0; texel < texelCount; ++texel)
+      directions_[texel] = glm::vec3(texelDirection(texel));
+  }
+
+  std::string name() const override { return "pixel-mesh"; }
+
+ private:
+  BitCube blockedTexels(const SurfaceSample& sample,
+                        const std::vector<double>& lobe) const override {
+    std::array<glm::vec3, 16> origins, directions;
+    origins.fill(sample.position + offset_ * sample.geometricNormal);
+    BitCube blocked;
+    for (int first = 0; first < texelCount; first += 16) {
+      std::uint16_t wanted = 0;
+      for (int i = 0; i < 16; ++i) {
+        directions[i] = directions_[first + i];
+        wanted |= std::uint16_t(lobe[first + i] > 0) << i;
+      }
+      if (!wanted) continue;
+      const std::uint32_t hit = rays_.occluded16(origins, directions, wanted);
+      blocked.rows[first / faceSize] |= hit << (first % faceSize);
+    }
+    return blocked;
+  }
+
+  RayScene rays_;
+  float offset_;
+  std::array<glm::vec3, texelCount> directions_;
+};
+
+}  // namespace
+
+std::unique_ptr<RadianceMethod> makePixelMethod(const Scene& scene,
+                                                std::shared_ptr<const SphereTable> table) {
+  return std::make_unique<PixelMethod>(scene, std::move(table));
+}
+
+std::unique_ptr<RadianceMethod> makePixelMeshMethod(const Scene& scene) {
+  return std::make_unique<PixelMeshMethod>(scene);
+}
+
+}  // namespace haarlight

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/devices.h"
+#include "render/scene.h"
+#include "render/surface_sample.h"
+
+namespace haarlight {
+
+/// A way to compute the radiance that leaves diffuse surfaces, chosen by `--method`.
+class RadianceMethod {
+ public:
+  virtual ~RadianceMethod() = default;
+
+  /// "haar", "pixel" or "pixel-mesh".
+  virtual std::string name() const = 0;
+  /// What computes it, in words.
+  virtual std::string deviceName() const = 0;
+
+  /// Radiance (albedo included) of every sample.
+  virtual std::vector<glm::vec3> radiance(std::span<const SurfaceSample> samples) = 0;
+
+  /// Seconds of all calls so far; only `haar` knows its stages, the others their total.
+  const StageTimes& times() const { return times_; }
+
+ protected:
+  StageTimes times_;
+};
+
+/// The paper's method on an engine. Light terms are ranked for the normals of `typicalSamples`;
+/// where `anyNormal` is set other normals may follow, else only those.
+std::unique_ptr<RadianceMethod> makeHaarMethod(const Scene& scene, std::shared_ptr<Engine> engine,
+                                               const ShadingSettings& settings,
+                                               std::span<const SurfaceSample> typicalSamples,
+                                               bool anyNormal);
+
+/// The exact sum over the 6144 texels, blocked by the spheres as the table has them or, without
+/// one, exactly; in double on all threads.
+std::unique_ptr<RadianceMethod> makePixelMethod(const Scene& scene,
+                                                std::shared_ptr<const SphereTable> table);
+
+/// The same, blocked by the meshes: a ray through every texel's centre above the horizon, on all
+/// threads. The reference image of the paper.
+std::unique_ptr<RadianceMethod> makePixelMeshMethod(const Scene& scene);
+
+}  // namespace haarlight

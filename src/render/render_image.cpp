@@ -1,0 +1,147 @@
+#include "render/render_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "base/parallel.h"
+#include "mesh/ray_scene.h"
+
+namespace haarlight {
+
+namespace {
+
+/// The receiver as two triangles that face up.
+TriangleMesh planeMesh(const ReceiverDescription& receiver) {
+  const glm::dvec3 half(receiver.size.x / 2, 0, receiver.size.y / 2);
+  TriangleMesh mesh;
+  for (const glm::dvec3 corner : {glm::dvec3(-1, 0, -1), {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}})
+    mesh.positions.push_back(glm::vec3(receiver.center + corner * half));
+  mesh.normals.assign(4, {0, 1, 0});
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+struct CameraRay {
+  glm::vec3 direction;
+  std::optional<SurfaceSample> hit;
+};
+
+/// Samples shaded at a time, so that a picture of any size fits into memory.
+constexpr int samplesPerBlock = 1 << 16;
+
+}  // namespace
+
+struct ScreenSampler::Implementation {
+  Implementation(const Scene& s, const CameraDescription& cameraDescription,
+                 const ImageDescription& imageDescription)
+      : scene(s),
+        image(imageDescription),
+        camera(cameraDescription, imageDescription.width, imageDescription.height),
+        gridSide(std::max(1, int(std::ceil(std::sqrt(double(imageDescription.samplesPerPixel)))))) {
+    std::vector<const TriangleMesh*> meshes;
+    for (const SceneObject& object : scene.objects) {
+      meshes.push_back(&object.mesh);
+      albedos.push_back(object.albedo);
+    }
+    TriangleMesh plane;
+    if (scene.receiver) {
+      plane = planeMesh(*scene.receiver);
+      meshes.push_back(&plane);
+      albedos.push_back(glm::vec3(scene.receiver->albedo));
+    }
+    rays = std::make_unique<RayScene>(meshes);
+  }
+
+  CameraRay trace(double x, double y) const {
+    CameraRay ray{glm::vec3(camera.direction(x, y)), std::nullopt};
+    const auto hit = rays->closestHit(glm::vec3(camera.position()), ray.direction);
+    if (!hit) return ray;
+    const bool fromBehind = glm::dot(hit->geometricNormal, ray.direction) > 0;
+    const float side = fromBehind ? -1.0f : 1.0f;
+    ray.hit = {hit->position, side * hit->shadingNormal, side * hit->geometricNormal,
+               albedos[hit->object]};
+    return ray;
+  }
+
+  int raysPerPixel() const { return gridSide * gridSide; }
+  int rowsPerBlock() const { return std::max(1, samplesPerBlock / (image.width * raysPerPixel())); }
+
+  /// Rays of rows [firstRow, lastRow), pixel by pixel.
+  std::vector<CameraRay> traceRows(int firstRow, int lastRow) const {
+    const int perPixel = raysPerPixel();
+    std::vector<CameraRay> block(std::size_t(lastRow - firstRow) * image.width * perPixel);
+    parallelFor(block.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::size_t pixel = i / perPixel;
+        const int cell = int(i % perPixel);
+        block[i] =
+            trace(double(pixel % image.width) + (cell % gridSide + 0.5) / gridSide,
+                  double(firstRow + pixel / image.width) + (cell / gridSide + 0.5) / gridSide);
+      }
+    });
+    return block;
+  }
+
+  glm::vec3 background(const glm::vec3& direction) const {
+    return image.background ? glm::vec3(*image.background) : scene.light.radiance(direction);
+  }
+
+  const Scene& scene;
+  ImageDescription image;
+  Camera camera;
+  int gridSide;
+  std::vector<glm::vec3> albedos;
+  std::unique_ptr<RayScene> rays;
+};
+
+ScreenSampler::ScreenSampler(const Scene& scene, const CameraDescription& camera,
+                             const ImageDescription& image)
+    : implementation_(std::make_unique<Implementation>(scene, camera, image)) {}
+
+ScreenSampler::~ScreenSampler() = default;
+
+std::vector<SurfaceSample> ScreenSampler::overview() const {
+  constexpr int step = 8;
+  std::vector<SurfaceSample> samples;
+  for (int y = 0; y < implementation_->image.height; y += step)
+    for (int x = 0; x < implementation_->image.width; x += step)
+      if (const CameraRay ray = implementation_->trace(x + step / 2, y + step / 2); ray.hit)
+        samples.push_back(*ray.hit);
+  return samples;
+}
+
+RenderedImage ScreenSampler::render(RadianceMethod& method, const Progress& progress) const {
+  const Implementation& self = *implementation_;
+  const int width = self.image.width, height = self.image.height, perPixel = self.raysPerPixel();
+  RenderedImage result{Image(width, height), Image(width, height), Image(width, height),
+                       std::vector<std::uint8_t>(std::size_t(width) * height, 1), 0};
+  for (int row = 0; row < height; row += self.rowsPerBlock()) {
+    const auto block = self.traceRows(row, std::min(height, row + self.rowsPerBlock()));
+    std::vector<SurfaceSample> samples;
+    for (const CameraRay& ray : block)
+      if (ray.hit) samples.push_back(*ray.hit);
+    const auto radiance = method.radiance(samples);
+    result.surfaceSamples += samples.size();
+
+    std::size_t next = 0;
+    const float weight = 1.0f / float(perPixel);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const std::size_t pixel = std::size_t(row) * width + i / perPixel;
+      if (!block[i].hit) {
+        result.radiance.pixels[pixel] += weight * self.background(block[i].direction);
+        result.surfaceMask[pixel] = 0;
+        continue;
+      }
+      result.radiance.pixels[pixel] += weight * radiance[next];
+      result.albedo.pixels[pixel] += weight * samples[next].albedo;
+      result.normal.pixels[pixel] += weight * samples[next].normal;
+      ++next;
+    }
+    if (progress) progress("rendering", std::min(1.0, double(row + self.rowsPerBlock()) / height));
+  }
+  return result;
+}
+
+}  // namespace haarlight

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "light/light_projection.h"
+#include "mesh/triangle_mesh.h"
+#include "scene/scene_description.h"
+#include "spheres/sphere_set.h"
+
+namespace haarlight {
+
+/// Called with what is being done and how much of it is finished, 0 … 1.
+using Progress = std::function<void(const std::string& task, double finished)>;
+
+/// An object as it stands in the world.
+struct SceneObject {
+  std::string name;
+  TriangleMesh mesh;
+  /// The spheres that block light in its stead; empty when it casts no shadow.
+  std::vector<Sphere> spheres;
+  /// Of the spheres before they were moved into the world.
+  SphereMeasures measures;
+  glm::vec3 albedo;
+  bool castsShadow;
+};
+
+struct SceneLight {
+  std::unique_ptr<const Environment> environment;
+  glm::mat3 rotation;
+  float scale;
+  /// Of the light as rotated and scaled.
+  LightProjection projection;
+
+  /// Radiance from a world direction, for backgrounds.
+  glm::vec3 radiance(const glm::vec3& direction) const;
+};
+
+/// A scene file with everything loaded: what engines and methods work on.
+struct Scene {
+  std::vector<SceneObject> objects;
+  std::optional<ReceiverDescription> receiver;
+  SceneLight light;
+  /// One line each: what is unusual in the inputs.
+  std::vector<std::string> warnings;
+
+  /// All objects' spheres, in the order of the objects.
+  std::vector<Sphere> blockerSpheres() const;
+};
+
+/// Loads meshes and light, fits or reads the spheres, and moves all into the world. A fitted set is
+/// kept in the cache folder and found again by the mesh's hash. Throws InputError.
+Scene loadScene(const SceneDescription& description, const Progress& progress = {});
+
+}  // namespace haarlight
