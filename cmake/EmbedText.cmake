@@ -13,7 +13,8 @@
 # A text whose name ends in .cl begins with a line `#line 1 "<file name>"`, so that the messages of
 # an OpenCL compiler name the file. A file that is edited is embedded again by the next build.
 #
-# The file is also the script that the build runs: cmake -P EmbedText.cmake <name> <output> <file>...
+# The file is also the script that the build runs:
+#   cmake -P EmbedText.cmake <name> <output> <file>...
 
 function(haarlight_embed_text target name)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/generated)

@@ -46,6 +46,8 @@ void applyLight(const SceneOptions& options, LightDescription& light) {
 void applyShading(const SceneOptions& options, ShadingDescription& shading) {
   if (!options.method.empty()) shading.method = choiceOf(shadingMethodNames, options.method);
   if (!options.engine.empty()) shading.engine = choiceOf(engineChoiceNames, options.engine);
+  if (!options.visibility.empty())
+    shading.visibility = choiceOf(visibilityKindNames, options.visibility);
   if (options.terms) shading.terms = *options.terms;
   if (options.levels) shading.levels = *options.levels;
 }
@@ -90,9 +92,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
       ->group("Computation")
       ->check(CLI::Range(1, 2));
   text("--visibility", options.visibility,
-       "Of a sphere, for haar and pixel: table (the paper's, fast) or exact", "Computation")
-      ->check(CLI::IsMember({"table", "exact"}))
-      ->capture_default_str();
+       "Of spheres, for haar and pixel: exact, or the paper's table (faster) [exact]",
+       "Computation")
+      ->check(CLI::IsMember(namesOf(visibilityKindNames)));
   text("--engine", options.engine, "auto, reference or opencl [auto]", "Computation")
       ->check(CLI::IsMember(namesOf(engineChoiceNames)));
   text("--device", options.device, "OpenCL device: part of its name, or its index", "Computation");
@@ -111,8 +113,9 @@ SceneDescription describeScene(const SceneOptions& options) {
   return scene;
 }
 
-std::shared_ptr<const SphereTable> openSphereTable(const SceneOptions& options, Console& console) {
-  if (options.visibility == "exact") return nullptr;
+std::shared_ptr<const SphereTable> openSphereTable(const SceneDescription& scene,
+                                                   Console& console) {
+  if (scene.shading.visibility == VisibilityKind::exact) return nullptr;
   const auto start = std::chrono::steady_clock::now();
   const auto table = std::make_shared<const SphereTable>(SphereTable::load(cacheFolder()));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -33,7 +33,7 @@ struct SceneOptions {
   std::string method;
   std::optional<int> terms;
   std::optional<int> levels;
-  std::string visibility = "table";
+  std::string visibility;
   std::string engine;
   std::string device;
 };
@@ -44,8 +44,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& options);
 /// InputError.
 SceneDescription describeScene(const SceneOptions& options);
 
-/// The sphere table, or null when the options ask for exact visibility.
-std::shared_ptr<const SphereTable> openSphereTable(const SceneOptions& options, Console& console);
+/// The sphere table, or null when the scene asks for exact visibility.
+std::shared_ptr<const SphereTable> openSphereTable(const SceneDescription& scene, Console& console);
 
 /// The engine that the options and the scene ask for; says on the console how long compiling
 /// kernels took.

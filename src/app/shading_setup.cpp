@@ -34,7 +34,7 @@ std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
                                                      std::span<const SurfaceSample> typicalSamples,
                                                      bool anyNormal) {
   if (which == ShadingMethod::PixelMesh) return makePixelMeshMethod(scene_);
-  if (!table_) table_ = openSphereTable(options_, console_);
+  if (!table_) table_ = openSphereTable(description_, console_);
   if (which == ShadingMethod::Pixel) return makePixelMethod(scene_, table_);
   if (!engine_) engine_ = openEngine(options_, description_, table_, console_);
   ShadingSettings settings;
@@ -49,7 +49,8 @@ nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const
     summary["terms"] = description_.shading.terms;
     summary["levels"] = description_.shading.levels;
   }
-  if (method.name() != "pixel-mesh") summary["visibility"] = options_.visibility;
+  if (method.name() != "pixel-mesh")
+    summary["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
   summary["spheres"] = sphereCount(scene_);
   summary["light"] = description_.light.source;
   summary["light_power_kept"] = scene_.light.projection.powerRatio;
@@ -62,7 +63,8 @@ ImageAttributes ShadingSetup::attributes(const RadianceMethod& method) const {
                              {"device", method.deviceName()},
                              {"spheres", int(sphereCount(scene_))},
                              {"light", description_.light.source}};
-  if (method.name() != "pixel-mesh") attributes["visibility"] = options_.visibility;
+  if (method.name() != "pixel-mesh")
+    attributes["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
   if (method.name() == "haar") {
     attributes["terms"] = description_.shading.terms;
     attributes["levels"] = description_.shading.levels;

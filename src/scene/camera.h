@@ -1,0 +1,31 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "scene/scene_description.h"
+
+namespace haarlight {
+
+/// A pinhole camera for an image of width × height square pixels, right-handed: looking along −z
+/// with y up, +x is on the right.
+class Camera {
+ public:
+  /// The description has passed parseScene's checks; width and height are > 0.
+  Camera(const CameraDescription& description, int width, int height);
+
+  /// Where all rays start.
+  const glm::dvec3& position() const { return position_; }
+
+  /// Unit direction of the ray through (x, y), in pixels from the image's top left corner: the
+  /// image is [0, width] × [0, height], pixel (column, row) has its centre at (column + ½, row +
+  /// ½).
+  glm::dvec3 direction(double x, double y) const;
+
+ private:
+  glm::dvec3 position_;
+  glm::dvec3 topLeft_;     // from the position to the image's corner, at distance 1
+  glm::dvec3 columnStep_;  // from a pixel to the one on its right
+  glm::dvec3 rowStep_;     // from a pixel to the one below
+};
+
+}  // namespace haarlight

@@ -1,0 +1,48 @@
+#pragma once
+
+/// The words that stand for choices, in scene files and on the command line.
+
+#include <array>
+#include <string_view>
+
+#include "scene/scene_description.h"
+
+namespace haarlight {
+
+template <typename Choice>
+struct Named {
+  std::string_view name;
+  Choice choice;
+};
+
+inline constexpr std::string_view builtinPrefix = "builtin:";
+
+inline constexpr std::array<std::string_view, 2> builtinScenes{"builtin:default", "builtin:smooth"};
+
+inline constexpr std::array<Named<Rest>, 2> restNames{{
+    {"none", Rest::None},
+    {"ground", Rest::Ground},
+}};
+
+/// "auto", and what chooseLayout (light/layout.h) knows.
+inline constexpr std::array<std::string_view, 5> lightLayouts{"auto", "latlong", "vcross", "hcross",
+                                                              "angular"};
+
+inline constexpr std::array<Named<ShadingMethod>, 3> shadingMethodNames{{
+    {"haar", ShadingMethod::Haar},
+    {"pixel", ShadingMethod::Pixel},
+    {"pixel-mesh", ShadingMethod::PixelMesh},
+}};
+
+inline constexpr std::array<Named<VisibilityKind>, 2> visibilityKindNames{{
+    {"exact", VisibilityKind::exact},
+    {"table", VisibilityKind::table},
+}};
+
+inline constexpr std::array<Named<EngineChoice>, 3> engineChoiceNames{{
+    {"auto", EngineChoice::Auto},
+    {"reference", EngineChoice::Reference},
+    {"opencl", EngineChoice::OpenCl},
+}};
+
+}  // namespace haarlight

@@ -1,0 +1,134 @@
+#pragma once
+
+/// What a scene file says, as plain data (docs/scene.md). Coordinates are right-handed with y up,
+/// in world units of the user's choice; angles are in degrees and turn counter-clockwise seen from
+/// the tip of their axis; colours are linear RGB with Rec. 709 primaries.
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "visibility/visibility_kind.h"
+
+namespace haarlight {
+
+/// What an object's lowest point is put on before it is translated.
+enum class Rest { None, Ground };
+
+/// How an object is placed: its points go through the fields in the order given here (see
+/// objectToWorld in scene/transform.h).
+struct TransformDescription {
+  /// When given, the mesh's bounding box is centred at the origin and its longest side scaled to
+  /// this length (world units).
+  std::optional<double> fit;
+  /// Factor along each of the mesh's own axes.
+  glm::dvec3 scale{1, 1, 1};
+  /// Rotation about x, then about y, then about z; the axes stay where they are.
+  glm::dvec3 rotateDegrees{0, 0, 0};
+  /// Ground: moved along y until the lowest point lies on the receiver plane (y = 0 without one).
+  Rest rest = Rest::None;
+  /// Moved by this much at last (world units).
+  glm::dvec3 translate{0, 0, 0};
+};
+
+/// A mesh that is seen, receives shadows at its vertices and, unless told otherwise, casts them.
+struct ObjectDescription {
+  /// For messages and for choosing an object; by default the mesh's name without folder and suffix.
+  std::string name;
+  /// Path of a mesh file, or a name of builtinMeshNames (mesh/builtin_meshes.h).
+  std::string mesh;
+  TransformDescription transform;
+  /// Diffuse reflectance, 0 to 1.
+  glm::dvec3 albedo{0.5, 0.5, 0.5};
+  /// How many spheres to fit to the mesh, or the file that holds a set fitted before.
+  std::variant<int, std::filesystem::path> spheres = 64;
+  /// Whether the object blocks light.
+  bool castsShadow = true;
+};
+
+/// A horizontal rectangle (normal +y) that receives shadows on a grid of samples.
+struct ReceiverDescription {
+  /// World units.
+  glm::dvec3 center{0, 0, 0};
+  /// Extent along x and z, world units.
+  glm::dvec2 size{8, 8};
+  /// Number of samples along x and z.
+  glm::ivec2 samples{128, 128};
+  /// Diffuse reflectance, 0 to 1.
+  glm::dvec3 albedo{0.5, 0.5, 0.5};
+};
+
+/// The distant light all around.
+struct LightDescription {
+  /// Path of an EXR or Radiance HDR image, or a name of builtinLightNames
+  /// (light/builtin_lights.h).
+  std::string source = "builtin:lamps";
+  /// How the image covers the sphere of directions, one of lightLayouts (scene/names.h); "auto": by
+  /// its aspect ratio.
+  std::string layout = "auto";
+  /// Rotation of the light about +y: what came from +z then comes from +z turned towards +x.
+  double rotateDegrees = 0;
+  /// Factor on the radiance, >= 0.
+  double scale = 1;
+};
+
+/// A pinhole camera.
+struct CameraDescription {
+  /// World units.
+  glm::dvec3 position{0, 4, 8};
+  /// The point in the middle of the image; differs from the position.
+  glm::dvec3 target{0, 0.5, 0};
+  /// Any vector that is not parallel to the line of sight; the image's upward side.
+  glm::dvec3 up{0, 1, 0};
+  /// Angle between the lower and the upper edge of the image.
+  double verticalFieldOfViewDegrees = 40;
+};
+
+/// The image that is computed.
+struct ImageDescription {
+  /// Pixels.
+  int width = 960;
+  int height = 540;
+  /// Camera rays per pixel.
+  int samplesPerPixel = 4;
+  /// The image is multiplied by 2^exposure before tone mapping; nothing: chosen from the image.
+  std::optional<double> exposure;
+  /// Radiance where nothing is seen; nothing: the light itself.
+  std::optional<glm::dvec3> background;
+};
+
+/// Haar: triple products of wavelet coefficients. Pixel: sum over the texels of the cube, blocked
+/// by the spheres. PixelMesh: the same, blocked by the meshes (the reference image).
+enum class ShadingMethod { Haar, Pixel, PixelMesh };
+
+/// Which engine computes. Auto: OpenCL when there is a device, else the reference engine.
+enum class EngineChoice { Auto, Reference, OpenCl };
+
+struct ShadingDescription {
+  ShadingMethod method = ShadingMethod::Haar;
+  /// Number of the light's largest Haar coefficients that are kept, besides the six face means;
+  /// 6144 keeps all.
+  int terms = 200;
+  /// 1: visibility coefficients down to squares of 4x4 texels; 2: down to the texel.
+  int levels = 2;
+  /// How the spheres' visibility is found, for the methods haar and pixel.
+  VisibilityKind visibility = VisibilityKind::exact;
+  EngineChoice engine = EngineChoice::Auto;
+};
+
+struct SceneDescription {
+  /// Of the file format.
+  int version = 1;
+  std::vector<ObjectDescription> objects;
+  std::optional<ReceiverDescription> receiver;
+  LightDescription light;
+  CameraDescription camera;
+  ImageDescription image;
+  ShadingDescription shading;
+};
+
+}  // namespace haarlight

@@ -1,0 +1,95 @@
+#pragma once
+
+/// The fields of a scene file, in the order of the document: their names, kinds and ranges.
+/// docs/scene.schema.json says the same in JSON Schema; a test holds the two together.
+
+#include "light/builtin_lights.h"
+#include "mesh/builtin_meshes.h"
+#include "scene/json_value.h"
+#include "scene/names.h"
+#include "scene/scene_description.h"
+
+namespace haarlight {
+
+/// Within these bounds no product of three values leaves float32.
+inline constexpr Range coordinateRange{-1e6, 1e6};
+inline constexpr Range lengthRange{1e-6, 1e6};
+inline constexpr Range angleRange{-360, 360};
+inline constexpr Range unitRange{0, 1};
+inline constexpr Range radianceRange{0, 1e6};
+
+template <typename Fields>
+void visitFields(Fields& fields, TransformDescription& transform) {
+  fields.numberOrWord("fit", transform.fit, "none", lengthRange);
+  fields.numberOrVector("scale", transform.scale, lengthRange);
+  fields.vector("rotateDegrees", transform.rotateDegrees, angleRange);
+  fields.choice("rest", transform.rest, restNames);
+  fields.vector("translate", transform.translate, coordinateRange);
+}
+
+template <typename Fields>
+void visitFields(Fields& fields, ObjectDescription& object) {
+  fields.require("mesh");
+  fields.text("name", object.name);
+  fields.resource("mesh", object.mesh, builtinMeshNames());
+  fields.object("transform", object.transform);
+  fields.vector("albedo", object.albedo, unitRange);
+  fields.countOrFile("spheres", object.spheres, Range{1, 4096});
+  fields.flag("castsShadow", object.castsShadow);
+}
+
+template <typename Fields>
+void visitFields(Fields& fields, ReceiverDescription& receiver) {
+  fields.vector("center", receiver.center, coordinateRange);
+  fields.vector("size", receiver.size, lengthRange);
+  fields.vector("samples", receiver.samples, Range{1, 4096});
+  fields.vector("albedo", receiver.albedo, unitRange);
+}
+
+template <typename Fields>
+void visitFields(Fields& fields, LightDescription& light) {
+  fields.resource("source", light.source, builtinLightNames());
+  fields.word("layout", light.layout, lightLayouts);
+  fields.number("rotateDegrees", light.rotateDegrees, angleRange);
+  fields.number("scale", light.scale, radianceRange);
+}
+
+template <typename Fields>
+void visitFields(Fields& fields, CameraDescription& camera) {
+  fields.vector("position", camera.position, coordinateRange);
+  fields.vector("target", camera.target, coordinateRange);
+  fields.vector("up", camera.up, coordinateRange);
+  fields.number("verticalFieldOfViewDegrees", camera.verticalFieldOfViewDegrees, Range{1, 170});
+}
+
+template <typename Fields>
+void visitFields(Fields& fields, ImageDescription& image) {
+  fields.integer("width", image.width, Range{1, 65536});
+  fields.integer("height", image.height, Range{1, 65536});
+  fields.integer("samplesPerPixel", image.samplesPerPixel, Range{1, 4096});
+  fields.numberOrWord("exposure", image.exposure, "auto", Range{-32, 32});
+  fields.vectorOrWord("background", image.background, "light", radianceRange);
+}
+
+template <typename Fields>
+void visitFields(Fields& fields, ShadingDescription& shading) {
+  fields.choice("method", shading.method, shadingMethodNames);
+  fields.integer("terms", shading.terms, Range{0, 6144});
+  fields.integer("levels", shading.levels, Range{1, 2});
+  fields.choice("visibility", shading.visibility, visibilityKindNames);
+  fields.choice("engine", shading.engine, engineChoiceNames);
+}
+
+template <typename Fields>
+void visitFields(Fields& fields, SceneDescription& scene) {
+  fields.ignoredText("$schema");
+  fields.integer("version", scene.version, Range{1, 1});
+  fields.list("objects", scene.objects, 1024);
+  fields.object("receiver", scene.receiver);
+  fields.object("light", scene.light);
+  fields.object("camera", scene.camera);
+  fields.object("image", scene.image);
+  fields.object("shading", scene.shading);
+}
+
+}  // namespace haarlight

@@ -1,0 +1,84 @@
+#include "scene/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "embedded/scenes.h"
+#include "scene/field_reader.h"
+#include "scene/field_writer.h"
+#include "scene/json_text.h"
+#include "scene/scene_fields.h"
+
+namespace haarlight {
+
+namespace {
+
+/// "builtin:torusknot" and "meshes/torusknot.obj" to "torusknot".
+std::string defaultName(const std::string& mesh) {
+  if (mesh.starts_with(builtinPrefix)) return mesh.substr(builtinPrefix.size());
+  return std::filesystem::path(mesh).stem().string();
+}
+
+void checkCamera(const CameraDescription& camera, const JsonValue& scene) {
+  const glm::dvec3 sight = camera.target - camera.position;
+  const double smallestSine = 1e-6;
+  if (sight == glm::dvec3(0)) scene.fail("camera.target: must differ from camera.position");
+  if (glm::length(glm::cross(sight, camera.up)) <=
+      smallestSine * glm::length(sight) * glm::length(camera.up))
+    scene.fail("camera.up: must not be zero or parallel to the line from position to target");
+}
+
+/// What no field can be blamed for alone.
+void checkTogether(const SceneDescription& scene, const JsonValue& document) {
+  if (scene.objects.empty() && !scene.receiver)
+    document.fail("there is nothing to see; give objects or a receiver");
+  const long long pixelCount = 1ll * scene.image.width * scene.image.height;
+  if (pixelCount > maximumPixelCount)
+    document.fail(fmt::format("image: width x height must be <= {} pixels, is {}",
+                              maximumPixelCount, pixelCount));
+  checkCamera(scene.camera, document);
+}
+
+}  // namespace
+
+SceneDescription parseScene(std::string_view text, const std::filesystem::path& fileName) {
+  const JsonSource source{fileName.string(), fileName.parent_path()};
+  const nlohmann::json json = parseJson(text, source.name);
+  const JsonValue document(json, "", source);
+  SceneDescription scene;
+  FieldReader::read(document, scene);
+  checkTogether(scene, document);
+  for (ObjectDescription& object : scene.objects)
+    if (object.name.empty()) object.name = defaultName(object.mesh);
+  return scene;
+}
+
+SceneDescription readScene(const std::filesystem::path& path) {
+  if (path.string().starts_with(builtinPrefix))
+    return parseScene(builtinSceneText(path.string()), path);
+  constexpr std::uint64_t largestFile = 4 << 20;
+  const std::vector<std::uint8_t> bytes = readWholeFile(path, "scene", largestFile);
+  return parseScene({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
+}
+
+std::string sceneToJson(const SceneDescription& scene) {
+  SceneDescription copy = scene;
+  return FieldWriter::write(copy).dump(2) + "\n";
+}
+
+std::string_view builtinSceneText(const std::string& name) {
+  if (std::find(builtinScenes.begin(), builtinScenes.end(), name) == builtinScenes.end())
+    throw InputError(
+        fmt::format("unknown scene '{}'; built in are {}", name, joinNames(builtinScenes)));
+  return embedded::scenes(name.substr(builtinPrefix.size()) + ".json");
+}
+
+std::string_view sceneSchema() {
+  return embedded::scenes("scene.schema.json");
+}
+
+}  // namespace haarlight

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "scene/scene_description.h"
+
+namespace haarlight {
+
+/// The matrix that takes a mesh's points to world coordinates. `positions` are the mesh's vertices,
+/// which `fit` and `rest` look at; `groundHeight` is the y of the plane that `rest` puts it on.
+/// Throws InputError when `fit` is asked for and all positions are one point.
+glm::dmat4 objectToWorld(const TransformDescription& transform,
+                         std::span<const glm::vec3> positions, double groundHeight);
+
+/// The y of the plane that objects rest on: the receiver's, or 0 without one.
+double groundHeight(const SceneDescription& scene);
+
+}  // namespace haarlight

@@ -1,0 +1,227 @@
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "json_schema.h"
+#include "scene/scene_file.h"
+#include "test_support.h"
+
+using namespace haarlight;
+using namespace haarlight::test;
+
+namespace {
+
+using Json = nlohmann::json;
+using Place = Json::json_pointer;
+
+/// A document with every field the parser knows, whose camera stays valid when one value changes.
+Json wholeDocument() {
+  SceneDescription scene;
+  scene.objects.emplace_back().mesh = "a.obj";
+  scene.objects[0].name = "a";
+  scene.receiver.emplace();
+  scene.camera.position = {3, 2, 7};
+  scene.camera.target = {-1, 0.5, 0.25};
+  scene.camera.up = {0.2, 1, -0.1};
+  return Json::parse(sceneToJson(scene));
+}
+
+/// The places of all values of a document, the document itself among them.
+void collectPlaces(const Json& value, const Place& place, std::vector<Place>& places) {
+  places.push_back(place);
+  if (value.is_object())
+    for (const auto& [name, member] : value.items()) collectPlaces(member, place / name, places);
+  if (value.is_array())
+    for (std::size_t i = 0; i < value.size(); ++i) collectPlaces(value[i], place / i, places);
+}
+
+std::vector<Place> placesOf(const Json& document) {
+  std::vector<Place> places;
+  collectPlaces(document, Place(), places);
+  return places;
+}
+
+/// The same without the numbers in arrays, which have no description or default of their own.
+std::vector<Place> fieldsOf(const Json& document) {
+  std::vector<Place> places = placesOf(document);
+  std::erase_if(places, [&](const Place& place) {
+    return !place.empty() && document[place.parent_pointer()].is_array() &&
+           document[place].is_number();
+  });
+  return places;
+}
+
+/// Every limit and choice a schema names, with the values just inside and just outside.
+void collectProbes(const Json& schema, std::vector<Json>& probes) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (schema.is_structured())
+    for (const Json& part : schema) collectProbes(part, probes);
+  if (!schema.is_object()) return;
+  for (const char* keyword : {"minimum", "maximum"})
+    if (schema.contains(keyword) && schema[keyword].is_number()) {
+      const double limit = schema[keyword];
+      for (const double number :
+           {limit, limit - 1, limit + 1, limit + 0.5, std::nextafter(limit, -infinity),
+            std::nextafter(limit, infinity)})
+        probes.push_back(number);
+    }
+  if (schema.contains("const")) probes.push_back(schema["const"]);
+  if (schema.contains("enum") && schema["enum"].is_array())
+    probes.insert(probes.end(), schema["enum"].begin(), schema["enum"].end());
+}
+
+/// Values of every type, and texts and arrays at the limits of their sizes.
+std::vector<Json> typeProbes() {
+  std::vector<Json> probes{nullptr,
+                           true,
+                           1,
+                           2.5,
+                           "",
+                           "x",
+                           "häschen.obj",
+                           "builtin:",
+                           "builtin:nothing",
+                           std::string("a\0b", 3),
+                           "tab\t",
+                           "\x7F",
+                           std::string(1024, 'x'),
+                           std::string(1025, 'x'),
+                           Json::object(),
+                           Json{{"x", 1}},
+                           Json{{"mesh", "builtin:sphere"}},
+                           Json::array(),
+                           Json{"a", "b", "c"},
+                           Json{1, true},
+                           std::vector<Json>(1024, Json{{"mesh", "a"}}),
+                           std::vector<Json>(1025, Json{{"mesh", "a"}})};
+  std::string umlauts;
+  for (int i = 0; i < 1024; ++i) umlauts += "ä";
+  probes.push_back(umlauts);
+  for (const double component : {1.0, 0.5})
+    for (const std::size_t size : {1, 2, 3, 4})
+      probes.push_back(std::vector<double>(size, component));
+  return probes;
+}
+
+bool parserAllows(const Json& document) {
+  try {
+    parseScene(document.dump(), "scene.json");
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::string normalForm(const Json& document) {
+  return sceneToJson(parseScene(document.dump(), "scene.json"));
+}
+
+std::set<std::string> namesIn(const Json& object) {
+  std::set<std::string> names;
+  for (const auto& [name, value] : object.items()) names.insert(name);
+  return names;
+}
+
+Json without(Json document, const Place& place) {
+  Json& parent = document[place.parent_pointer()];
+  if (parent.is_array())
+    parent.erase(std::stoul(place.back()));
+  else
+    parent.erase(place.back());
+  return document;
+}
+
+Json with(Json document, const Place& place, const Json& value) {
+  document[place] = value;
+  return document;
+}
+
+JsonSchema schema() {
+  return JsonSchema(Json::parse(sceneSchema()));
+}
+
+}  // namespace
+
+TEST_CASE("the schema in docs is the built-in one") {
+  const auto path = std::filesystem::path(HAARLIGHT_SOURCE_FOLDER) / "docs/scene.schema.json";
+  CHECK(readFile(path) == sceneSchema());
+}
+
+TEST_CASE("the built-in scenes satisfy the schema") {
+  for (const char* name : {"builtin:default", "builtin:smooth"})
+    CHECK(schema().allows(Json::parse(builtinSceneText(name))));
+}
+
+TEST_CASE("schema and parser know the same fields, and each has a description") {
+  const Json document = wholeDocument();
+  for (const Place& place : fieldsOf(document)) {
+    CAPTURE(place.to_string());
+    const Json subschema = schema().at(place);
+    CHECK(subschema.contains("description"));
+    if (document[place].is_object()) {
+      std::set<std::string> expected = namesIn(subschema.at("properties"));
+      expected.erase("$schema");
+      CHECK(namesIn(document[place]) == expected);
+    }
+  }
+}
+
+TEST_CASE("defaults in the schema are the parser's") {
+  const std::set<std::string> withoutDefault{"name", "mesh"};
+  const Json document = wholeDocument();
+  for (const Place& place : fieldsOf(document)) {
+    CAPTURE(place.to_string());
+    const Json subschema = schema().at(place);
+    if (!subschema.contains("default")) {
+      CHECK((document[place].is_object() || withoutDefault.contains(place.back())));
+    } else {
+      CHECK(normalForm(with(document, place, subschema["default"])) ==
+            normalForm(without(document, place)));
+    }
+  }
+}
+
+TEST_CASE("schema and parser agree on every limit, choice and type at every place") {
+  const JsonSchema sceneFileSchema = schema();
+  const Json document = wholeDocument();
+  std::vector<Json> probes = typeProbes();
+  collectProbes(Json::parse(sceneSchema()), probes);
+  int allowed = 0, refused = 0;
+  for (const Place& place : placesOf(document))
+    for (const Json& probe : probes) {
+      const Json changed = with(document, place, probe);
+      const bool expected = sceneFileSchema.allows(changed);
+      if (parserAllows(changed) != expected) {
+        CAPTURE(place.to_string());
+        CAPTURE(probe.dump().substr(0, 80));
+        CHECK(parserAllows(changed) == expected);
+      }
+      ++(expected ? allowed : refused);
+    }
+  CHECK(allowed > 500);
+  CHECK(refused > 500);
+}
+
+TEST_CASE("schema and parser agree on fields that are missing or unknown") {
+  const JsonSchema sceneFileSchema = schema();
+  const Json document = wholeDocument();
+  for (const Place& place : placesOf(document)) {
+    CAPTURE(place.to_string());
+    if (!place.empty()) {
+      const Json changed = without(document, place);
+      CHECK(parserAllows(changed) == sceneFileSchema.allows(changed));
+    }
+    if (document[place].is_object()) {
+      const Json changed = with(document, place / "unknown", 1);
+      CHECK_FALSE(parserAllows(changed));
+      CHECK_FALSE(sceneFileSchema.allows(changed));
+    }
+  }
+  for (const char* text :
+       {"{}", R"({"objects": []})", R"({"receiver": {}})", R"({"objects": [], "receiver": {}})",
+        R"({"$schema": "x"})", R"({"$schema": "x", "receiver": {}})"})
+    CHECK(parserAllows(Json::parse(text)) == sceneFileSchema.allows(Json::parse(text)));
+}
