@@ -42,9 +42,9 @@ std::unique_ptr<const Environment> makeLamps() {
       "builtin:lamps (six lamps of 1.2° to 9° radius, dim sky)",
       SkyGradient{tinted(earth, 0.03), tinted(skyBlue, 0.06), tinted(skyBlue, 0.15)},
       std::vector<Lobe>{
-          makeLobe({42, 40, 1.5, 1}, warmWhite, 1.15), makeLobe({58, -100, 4, 1}, coldWhite, 0.50),
-          makeLobe({30, 115, 2.5, 1}, amber, 0.28), makeLobe({66, 165, 9, 1}, white, 0.50),
-          makeLobe({36, -35, 1.2, 1}, blue, 0.20), makeLobe({24, -155, 3, 1}, amber, 0.14)});
+          makeLobe({42, 40, 1.5, 1}, warmWhite, 1.65), makeLobe({58, -100, 4, 1}, coldWhite, 0.42),
+          makeLobe({30, 115, 2.5, 1}, amber, 0.20), makeLobe({66, 165, 9, 1}, white, 0.30),
+          makeLobe({36, -35, 1.2, 1}, blue, 0.12), makeLobe({24, -155, 3, 1}, amber, 0.08)});
 }
 
 std::unique_ptr<const Environment> makeSky() {
