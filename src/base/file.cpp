@@ -33,7 +33,9 @@ std::string systemMessage() {
 void writeBytes(const fs::path& path, const fs::path& target, std::span<const std::uint8_t> bytes) {
   FileHandle file(std::fopen(path.c_str(), "wb"), std::fclose);
   if (!file) cannotWrite(target, systemMessage());
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  const bool written =
+      bytes.empty() ||  // fwrite takes no null pointer, even to write nothing from it
+      std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   if (!written || std::fflush(file.get()) != 0) cannotWrite(target, systemMessage());
 }
 
