@@ -21,7 +21,7 @@ struct BakeOptions {
   std::string output;
   std::string object;
   std::string size;
-  std::string compareTo;
+  std::vector<std::string> compareTo;
   bool frameRate = false;
 };
 
@@ -119,11 +119,10 @@ void run(const BakeOptions& options) {
   results.update(setup.summary(*method));
   results["shading_seconds"] = describeStages(method->times());
   if (options.frameRate) results["frame"] = measureFrameRate(*method, target.samples);
-  if (!options.compareTo.empty()) {
-    const auto other =
-        setup.method(choiceOf(shadingMethodNames, options.compareTo), target.samples, false);
+  for (const std::string& name : options.compareTo) {
+    const auto other = setup.method(choiceOf(shadingMethodNames, name), target.samples, false);
     const Image reference = bake(*other, target, console.progress());
-    results["comparison"] = describeError(compareImages(radiance, reference), options.compareTo);
+    results["comparison"].push_back(describeError(compareImages(radiance, reference), name));
   }
   console.results(results);
 }

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "scene/names.h"
+#include "scene/scene_fields.h"
 #include "scene/scene_file.h"
 #include "spheres/sphere_set.h"
 
@@ -20,17 +21,28 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An object standing on the ground plane, two units large, seen by the default camera.
+/// An object standing on the ground plane, two units large, with the ground around it in view.
 SceneDescription sceneAroundMesh(const std::string& mesh) {
   ObjectDescription object;
-  object.name = fs::path(mesh).stem().string();
+  object.name = defaultObjectName(mesh);
   object.mesh = mesh;
   object.transform.fit = 2.0;
   object.transform.rest = Rest::Ground;
   SceneDescription scene;
   scene.objects.push_back(object);
   scene.receiver = ReceiverDescription{};
+  scene.receiver->size = {9, 9};
+  scene.camera.position = {2.2, 3.3, 5.4};
+  scene.camera.target = {0, 0.7, 0};
+  scene.camera.verticalFieldOfViewDegrees = 34;
   return scene;
+}
+
+/// CLI::Range lets NaN through.
+double checked(double value, const Range& range, const std::string& option) {
+  if (value >= range.minimum && value <= range.maximum) return value;
+  throw InputError(fmt::format("{} takes a number from {} to {}, not {}", option, range.minimum,
+                               range.maximum, value));
 }
 
 void applyLight(const SceneOptions& options, LightDescription& light) {
@@ -39,8 +51,10 @@ void applyLight(const SceneOptions& options, LightDescription& light) {
     light.layout = "auto";
   }
   if (!options.layout.empty()) light.layout = options.layout;
-  if (options.lightRotation) light.rotateDegrees = *options.lightRotation;
-  if (options.lightScale) light.scale = *options.lightScale;
+  if (options.lightRotation)
+    light.rotateDegrees = checked(*options.lightRotation, angleRange, "--light-rotate");
+  if (options.lightScale)
+    light.scale = checked(*options.lightScale, radianceRange, "--light-scale");
 }
 
 void applyShading(const SceneOptions& options, ShadingDescription& shading) {
@@ -64,9 +78,12 @@ void addGeneralOptions(CLI::App& command, GeneralOptions& options) {
 }
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
-  command.add_option("SCENE", options.scene, "Scene file, builtin:default or builtin:smooth");
+  const CLI::Validator notEmpty(
+      [](const std::string& value) { return value.empty() ? "takes no empty text" : ""; }, "");
+  command.add_option("SCENE", options.scene, "Scene file, builtin:default or builtin:smooth")
+      ->check(notEmpty);
   const auto text = [&](const char* name, std::string& value, const char* help, const char* group) {
-    return command.add_option(name, value, help)->group(group);
+    return command.add_option(name, value, help)->group(group)->check(notEmpty);
   };
   text("--mesh", options.mesh, "Instead of a scene: a mesh on the ground plane", "Scene");
   text("--light", options.light,
@@ -77,8 +94,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("--light-rotate", options.lightRotation, "Degrees about +Y [0]")
       ->group("Scene");
   command.add_option("--light-scale", options.lightScale, "Factor on the radiance [1]")
-      ->group("Scene")
-      ->check(CLI::NonNegativeNumber);
+      ->group("Scene");
   command.add_option("--spheres", options.spheres, "Spheres fitted to each object [64]")
       ->group("Scene")
       ->check(CLI::Range(1, int(maximumSphereCount)));
@@ -110,6 +126,8 @@ SceneDescription describeScene(const SceneOptions& options) {
   applyShading(options, scene.shading);
   if (options.spheres)
     for (ObjectDescription& object : scene.objects) object.spheres = *options.spheres;
+  if (!options.device.empty() && scene.shading.engine == EngineChoice::Reference)
+    throw InputError("--device is for the engine opencl, not for reference; leave one of them out");
   return scene;
 }
 
@@ -145,7 +163,8 @@ glm::ivec2 parseSize(const std::string& text, const std::string& option) {
     const auto [afterHeight, heightError] = std::from_chars(afterWidth + 1, end, size.y);
     if (heightError == std::errc() && afterHeight == end && size.x > 0 && size.y > 0) {
       if (std::int64_t(size.x) * size.y <= maximumPixelCount) return size;
-      throw InputError(fmt::format("{} {}: at most {} in all", option, text, maximumPixelCount));
+      throw InputError(
+          fmt::format("{} {}: at most {} pixels in all", option, text, maximumPixelCount));
     }
   }
   throw InputError(fmt::format("{} takes WIDTHxHEIGHT such as 960x540, not '{}'", option, text));
@@ -155,8 +174,10 @@ void checkTarget(const fs::path& target, const std::vector<std::string>& extensi
   if (std::ranges::find(extensions, target.extension().string()) == extensions.end())
     throw InputError(fmt::format("cannot write {}: its name must end in {}", target.string(),
                                  fmt::join(extensions, " or ")));
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   std::error_code error;
+  if (fs::is_directory(target, error))
+    throw InputError(fmt::format("cannot write {}: it is a folder", target.string()));
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error))
     throw InputError(
         fmt::format("cannot write {}: there is no folder {}", target.string(), folder.string()));

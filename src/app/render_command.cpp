@@ -9,6 +9,7 @@
 #include "app/shading_setup.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "image/contact_sheet.h"
 #include "image/tonemap.h"
 #include "render/render_image.h"
 #include "scene/names.h"
@@ -24,7 +25,8 @@ struct RenderOptions {
   std::string size;
   std::optional<int> samples;
   std::string exposure;
-  std::string compareTo;
+  std::vector<std::string> compareTo;
+  std::string sheet;
   bool frameRate = false;
 };
 
@@ -76,21 +78,66 @@ nlohmann::ordered_json planeFrameRate(ShadingSetup& setup) {
   return measureFrameRate(*method, samples);
 }
 
-nlohmann::ordered_json compare(ShadingSetup& setup, const ScreenSampler& sampler,
-                               const RenderedImage& picture, const std::string& methodName) {
-  const auto reference =
-      setup.method(choiceOf(shadingMethodNames, methodName), sampler.overview(), true);
-  const RenderedImage other = sampler.render(*reference, setup.console().progress());
-  auto figures = describeError(compareImages(picture.radiance, other.radiance, picture.surfaceMask),
-                               methodName);
-  figures["seconds"] = reference->times().total;
-  return figures;
+/// A method's picture for comparison.
+struct Comparison {
+  std::string method;
+  RenderedImage picture;
+  double seconds;
+};
+
+std::vector<Comparison> renderComparisons(ShadingSetup& setup, const ScreenSampler& sampler,
+                                          const std::vector<std::string>& methods) {
+  std::vector<Comparison> comparisons;
+  for (const std::string& name : methods) {
+    const auto method = setup.method(choiceOf(shadingMethodNames, name), sampler.overview(), true);
+    RenderedImage picture = sampler.render(*method, setup.console().progress());
+    comparisons.push_back({name, std::move(picture), method->times().total});
+  }
+  return comparisons;
+}
+
+/// Absolute errors are shown this many times as bright.
+constexpr int errorScale = 4;
+
+/// The pictures side by side, and under every other one the first one's error against it.
+Image comparisonSheet(const RenderedImage& picture, const std::string& methodName, float stops,
+                      const std::vector<Comparison>& comparisons) {
+  const Image exposed = tonemap(picture.radiance, stops);
+  const Image empty(exposed.width, exposed.height);
+  std::vector<Image> others, errors;
+  for (const Comparison& other : comparisons) {
+    others.push_back(tonemap(other.picture.radiance, stops));
+    errors.push_back(differenceImage(exposed, others.back(), errorScale));
+  }
+  std::vector<LabelledImage> upper{{methodName, exposed}};
+  std::vector<LabelledImage> lower{{fmt::format("error x {}:", errorScale), empty}};
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    const ImageError error =
+        compareImages(picture.radiance, comparisons[i].picture.radiance, picture.surfaceMask);
+    upper.push_back({comparisons[i].method, others[i]});
+    lower.push_back(
+        {fmt::format("RMSE {:.2f} % of the mean", 100 * error.relativeRootMeanSquare), errors[i]});
+  }
+  return stackSheets(contactSheet(upper), contactSheet(lower));
+}
+
+void addComparisons(const RenderedImage& picture, const std::vector<Comparison>& comparisons,
+                    nlohmann::ordered_json& results) {
+  for (const Comparison& other : comparisons) {
+    auto figures = describeError(
+        compareImages(picture.radiance, other.picture.radiance, picture.surfaceMask), other.method);
+    figures["seconds"] = other.seconds;
+    results["comparison"].push_back(figures);
+  }
 }
 
 void render(const RenderOptions& options) {
   Console console(options.general.json, options.general.quiet);
   setThreadCount(options.general.threads);
   for (const std::string& output : options.outputs) checkTarget(output, {".png", ".exr"});
+  if (!options.sheet.empty()) checkTarget(options.sheet, {".png"});
+  if (!options.sheet.empty() && options.compareTo.empty())
+    throw InputError("--sheet needs --compare-to");
   ShadingSetup setup(options.scene, describe(options), console);
   const SceneDescription& scene = setup.description();
   if (options.frameRate && !scene.receiver)
@@ -113,8 +160,12 @@ void render(const RenderOptions& options) {
   results["seconds"] = seconds;
   results["shading_seconds"] = describeStages(method->times());
   if (options.frameRate) results["plane_frame"] = planeFrameRate(setup);
-  if (!options.compareTo.empty())
-    results["comparison"] = compare(setup, sampler, picture, options.compareTo);
+  const auto comparisons = renderComparisons(setup, sampler, options.compareTo);
+  addComparisons(picture, comparisons, results);
+  if (!options.sheet.empty()) {
+    writePng(options.sheet, comparisonSheet(picture, method->name(), stops, comparisons));
+    results["sheet"] = options.sheet;
+  }
   console.results(results);
 }
 
@@ -145,6 +196,10 @@ void addRenderCommand(CLI::App& app) {
                  "Also measure frames per second of the receiver plane's samples")
       ->group("Computation");
   addCompareOption(*command, options->compareTo);
+  command
+      ->add_option("--sheet", options->sheet,
+                   "PNG with the pictures of all methods compared and their errors side by side")
+      ->group("Output");
   addGeneralOptions(*command, options->general);
   command->callback([options] { render(*options); });
 }

@@ -94,10 +94,11 @@ nlohmann::ordered_json describeError(const ImageError& error, const std::string&
           {"at_row", error.maximumPixel.y}};
 }
 
-void addCompareOption(CLI::App& command, std::string& method) {
+void addCompareOption(CLI::App& command, std::vector<std::string>& methods) {
   command
-      .add_option("--compare-to", method,
-                  "Compute it again by this method and print the root mean square error")
+      .add_option("--compare-to", methods,
+                  "Compute it again by this method and print the root mean square error; may be "
+                  "repeated")
       ->group("Computation")
       ->check(CLI::IsMember(namesOf(shadingMethodNames)));
 }

@@ -45,6 +45,6 @@ nlohmann::ordered_json describeStages(const StageTimes& times);
 nlohmann::ordered_json describeError(const ImageError& error, const std::string& referenceName);
 
 /// Adds --compare-to to a command.
-void addCompareOption(CLI::App& command, std::string& method);
+void addCompareOption(CLI::App& command, std::vector<std::string>& methods);
 
 }  // namespace haarlight

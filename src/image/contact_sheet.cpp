@@ -74,4 +74,12 @@ Image contactSheet(const std::vector<LabelledImage>& pictures, int gap) {
   return sheet;
 }
 
+Image stackSheets(const Image& upper, const Image& lower) {
+  Image sheet(std::max(upper.width, lower.width), upper.height + lower.height);
+  fillRectangle(sheet, {0, 0}, {sheet.width, sheet.height}, background);
+  copyImage(upper, sheet, {0, 0});
+  copyImage(lower, sheet, {0, upper.height});
+  return sheet;
+}
+
 }  // namespace haarlight

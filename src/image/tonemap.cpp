@@ -9,7 +9,7 @@
 namespace haarlight {
 
 float automaticExposure(const Image& image) {
-  constexpr double percentile = 0.9, target = 0.8;
+  constexpr double percentile = 0.9, target = 0.65;
   std::vector<double> luminances;
   for (const glm::vec3& pixel : image.pixels)
     if (const double value = luminance(pixel); value > 0 && std::isfinite(value))

@@ -7,7 +7,7 @@
 namespace haarlight {
 
 /// The exposure, in stops, that brings the 90th percentile of the luminance of all pixels that are
-/// not black to 0.8, so that most of the picture is neither clipped nor dark; 0 for a black image.
+/// not black to 0.65, so that most of the picture is neither clipped nor dark; 0 for a black image.
 float automaticExposure(const Image& image);
 
 /// The image times 2^stops, clamped to [0, 1]; still linear. No curve: pictures of different

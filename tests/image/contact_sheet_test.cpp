@@ -41,4 +41,14 @@ TEST_CASE("every printable character fits the text buffer") {
   CHECK(contactSheet({}).height == 24 + 24);
 }
 
+TEST_CASE("sheets are stacked and the narrower one is filled up") {
+  const Image upper = randomImage(30, 10, 3), lower = randomImage(20, 5, 4);
+  const Image sheet = stackSheets(upper, lower);
+  CHECK(sheet.width == 30);
+  CHECK(sheet.height == 15);
+  CHECK(sheet.at(29, 9) == upper.at(29, 9));
+  CHECK(sheet.at(19, 14) == lower.at(19, 4));
+  CHECK(sheet.at(29, 14) == contactSheet({}).at(0, 0));
+}
+
 }  // namespace haarlight::test

@@ -23,10 +23,10 @@ TEST_CASE("exposure multiplies by powers of two and clamps") {
   CHECK(tonemap(image, -3).at(1, 0).b == 0.5f);
 }
 
-TEST_CASE("automatic exposure puts the 90th percentile at 0.8") {
+TEST_CASE("automatic exposure puts the 90th percentile at 0.65") {
   Image ramp(101, 1);
   for (int x = 0; x <= 100; ++x) ramp.at(x, 0) = glm::vec3(float(x + 1));
-  CHECK(std::exp2(automaticExposure(ramp)) * 91 == doctest::Approx(0.8));
+  CHECK(std::exp2(automaticExposure(ramp)) * 91 == doctest::Approx(0.65));
   Image constant(4, 4);
   for (glm::vec3& pixel : constant.pixels) pixel = glm::vec3(3.2f);
   CHECK(automaticExposure(constant) == doctest::Approx(-2));
