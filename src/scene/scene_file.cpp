@@ -17,12 +17,6 @@ namespace haarlight {
 
 namespace {
 
-/// "builtin:torusknot" and "meshes/torusknot.obj" to "torusknot".
-std::string defaultName(const std::string& mesh) {
-  if (mesh.starts_with(builtinPrefix)) return mesh.substr(builtinPrefix.size());
-  return std::filesystem::path(mesh).stem().string();
-}
-
 void checkCamera(const CameraDescription& camera, const JsonValue& scene) {
   const glm::dvec3 sight = camera.target - camera.position;
   const double smallestSine = 1e-6;
@@ -53,7 +47,7 @@ SceneDescription parseScene(std::string_view text, const std::filesystem::path& 
   FieldReader::read(document, scene);
   checkTogether(scene, document);
   for (ObjectDescription& object : scene.objects)
-    if (object.name.empty()) object.name = defaultName(object.mesh);
+    if (object.name.empty()) object.name = defaultObjectName(object.mesh);
   return scene;
 }
 
@@ -68,6 +62,11 @@ SceneDescription readScene(const std::filesystem::path& path) {
 std::string sceneToJson(const SceneDescription& scene) {
   SceneDescription copy = scene;
   return FieldWriter::write(copy).dump(2) + "\n";
+}
+
+std::string defaultObjectName(const std::string& mesh) {
+  if (mesh.starts_with(builtinPrefix)) return mesh.substr(builtinPrefix.size());
+  return std::filesystem::path(mesh).stem().string();
 }
 
 std::string_view builtinSceneText(const std::string& name) {

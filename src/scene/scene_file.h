@@ -24,6 +24,10 @@ SceneDescription parseScene(std::string_view text, const std::filesystem::path& 
 /// they are.
 std::string sceneToJson(const SceneDescription& scene);
 
+/// The name of an object that is given none: "torusknot" for "builtin:torusknot" and for
+/// "meshes/torusknot.obj".
+std::string defaultObjectName(const std::string& mesh);
+
 /// The text of a scene of builtinScenes. Throws InputError for another name.
 std::string_view builtinSceneText(const std::string& name);
 
