@@ -47,7 +47,9 @@ void addTopologyWarnings(LoadedMesh& loaded) {
 LoadedMesh loadMesh(const std::filesystem::path& path) {
   const std::string extension = lowerCaseExtension(path);
   const auto format = formats.find(extension);
-  if (format == formats.end() && std::filesystem::is_regular_file(path))
+  std::error_code missing;
+  if (format == formats.end() && std::filesystem::exists(path, missing) &&
+      !std::filesystem::is_directory(path, missing))
     meshFileError(path, "its extension is none of .obj, .off, .ply, .stl");
   const std::vector<std::uint8_t> bytes = readWholeFile(path, "mesh");
   if (bytes.empty()) meshFileError(path, "it is empty");

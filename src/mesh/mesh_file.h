@@ -10,6 +10,10 @@
 
 namespace haarlight {
 
+/// Coordinates in files lie between −1e9 and 1e9: so far the squared area of a triangle does not
+/// leave float32.
+inline constexpr float largestCoordinate = 1e9f;
+
 struct LoadedMesh {
   TriangleMesh mesh;
   MeshTopology topology;
@@ -26,7 +30,8 @@ struct LoadedMesh {
 /// also where the surface is open, not manifold or doubled, with a warning. Normals in the file are
 /// used where they are finite and not zero, others are computed (computeVertexNormals); a vertex
 /// with several normals becomes several vertices. Throws InputError when the file is missing, a
-/// folder, empty, damaged or of an unknown kind, or holds no triangle.
+/// folder, empty, damaged or of an unknown kind, has a coordinate beyond largestCoordinate or NaN,
+/// or holds no triangle.
 LoadedMesh loadMesh(const std::filesystem::path& path);
 
 /// The built-in mesh for a name that starts with "builtin:", else loadMesh. Throws InputError with

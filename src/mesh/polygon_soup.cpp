@@ -8,10 +8,12 @@
 #include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 #include <algorithm>
-#include <cmath>
+#include <glm/common.hpp>
 #include <mutex>
 #include <sstream>
 #include <utility>
+
+#include "mesh/mesh_file.h"
 
 namespace haarlight {
 
@@ -143,13 +145,16 @@ void readContent(const std::filesystem::path& path, const std::string& extension
 }
 
 void checkSoup(const std::filesystem::path& path, const PolygonSoup& soup) {
-  const auto isFinite = [](const glm::vec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  const auto isUsable = [](const glm::vec3& p) {
+    const glm::vec3 size = glm::abs(p);
+    return size.x <= largestCoordinate && size.y <= largestCoordinate &&
+           size.z <= largestCoordinate;
   };
-  const auto bad = std::find_if_not(soup.positions.begin(), soup.positions.end(), isFinite);
+  const auto bad = std::find_if_not(soup.positions.begin(), soup.positions.end(), isUsable);
   if (bad != soup.positions.end())
     meshFileError(path, "vertex " + std::to_string(bad - soup.positions.begin()) +
-                            " (from 0) is not finite; correct or export it again");
+                            " (from 0) has a coordinate that is not finite or beyond 1e9; correct "
+                            "it or scale the mesh down");
   for (std::size_t face = 0; face < soup.faceCount(); ++face)
     for (std::size_t i = soup.faceStart[face]; i < soup.faceStart[face + 1]; ++i)
       if (soup.corners[i] >= soup.positions.size())
