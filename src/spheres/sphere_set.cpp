@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "scene/json_text.h"
 
 namespace haarlight {
 
@@ -139,13 +140,8 @@ std::string hexadecimal(std::uint64_t number) {
 
 SphereSet readSphereSet(const std::filesystem::path& path) {
   const auto bytes = readWholeFile(path, "sphere set", largestFile);
-  json root;
-  try {
-    root = json::parse(bytes);
-  } catch (const json::exception& error) {
-    throw InputError("cannot read sphere set " + path.string() +
-                     ": it is no JSON: " + error.what());
-  }
+  const json root = parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                              "cannot read sphere set " + path.string());
   return readFields(Field(path, root, ""));
 }
 

@@ -91,8 +91,8 @@ TEST_CASE("every fault is named with its place") {
   checkError("0.25", "0", "/spheres/1/radius must be greater than zero");
   checkError("0.25", "1e-60", "/spheres/1/radius must be greater than zero");
   checkError("0.25", "1e60", "/spheres/1/radius is too large");
-  checkError("0.25", "NaN", "no JSON");
-  checkError("0.25", "1e999", "no JSON");
+  checkError("0.25", "NaN", ": line ");
+  checkError("0.25", "1e999", ": line ");
   checkError("0.25", "\"1\"", "/spheres/1/radius must be a number");
   checkError("[0.5, 1e-3, 2]", "[0.5, 1e-3]", "/spheres/1/center must have three numbers");
   checkError("[0.5, 1e-3, 2]", "[0.5, true, 2]", "/spheres/1/center/1 must be a number");
@@ -105,8 +105,8 @@ TEST_CASE("every fault is named with its place") {
   checkError("\"seed\": 3", "\"seed\": -3", "/seed must be a whole number");
   checkError("\"coveredFraction\": 1", "\"coveredFraction\": 1.5", "at most one");
   checkError("null", "-1", "/measures/outsideVolumeRatio must be zero or more");
-  checkError("}]}", "}]", "no JSON");
-  checkError(validText, "", "no JSON");
+  checkError("}]}", "}]", ": line ");
+  checkError(validText, "", ": line ");
   checkError(validText, "[]", "the whole must be an object");
   checkError(validText.substr(validText.find("[{")), "[]}", "/spheres must hold 1 to 65536");
   std::string many = "[{\"center\": [0, 0, 0], \"radius\": 1}";
