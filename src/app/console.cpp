@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 
 namespace haarlight {
 
@@ -26,21 +27,22 @@ std::string valueText(const nlohmann::ordered_json& value) {
   return value.dump();
 }
 
-void printLines(const nlohmann::ordered_json& results, int indent) {
+void appendLines(std::string& text, const nlohmann::ordered_json& results, int indent) {
+  const auto append = std::back_inserter(text);
   for (const auto& [key, value] : results.items()) {
     std::string name = key;
     for (char& c : name)
       if (c == '_') c = ' ';
     if (value.is_object()) {
-      fmt::print("{:{}}{}:\n", "", indent, name);
-      printLines(value, indent + 2);
+      fmt::format_to(append, "{:{}}{}:\n", "", indent, name);
+      appendLines(text, value, indent + 2);
     } else if (value.is_array() && !value.empty() && value.front().is_object()) {
       for (const auto& entry : value) {
-        fmt::print("{:{}}{}:\n", "", indent, name);
-        printLines(entry, indent + 2);
+        fmt::format_to(append, "{:{}}{}:\n", "", indent, name);
+        appendLines(text, entry, indent + 2);
       }
     } else {
-      fmt::print("{:{}}{}: {}\n", "", indent, name, valueText(value));
+      fmt::format_to(append, "{:{}}{}: {}\n", "", indent, name, valueText(value));
     }
   }
 }
@@ -106,10 +108,12 @@ void Console::clearProgress() {
 
 void Console::results(const nlohmann::ordered_json& results) {
   clearProgress();
+  std::string text;
   if (json_)
-    fmt::print("{}\n", results.dump(2));
+    text = results.dump(2) + "\n";
   else
-    printLines(results, 0);
+    appendLines(text, results, 0);
+  std::fwrite(text.data(), 1, text.size(), stdout);  // main looks for errors on the stream
 }
 
 }  // namespace haarlight

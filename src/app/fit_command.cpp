@@ -56,7 +56,12 @@ void addFitCommand(CLI::App& app) {
   command->add_option("--spheres", options->spheres, "How many spheres")
       ->check(CLI::Range(1, int(maximumSphereCount)))
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of the random numbers")->capture_default_str();
+  const CLI::Validator withoutSign(
+      [](const std::string& text) { return text.starts_with('-') ? "must not be negative" : ""; },
+      "");
+  command->add_option("--seed", options->seed, "Seed of the random numbers")
+      ->check(withoutSign)
+      ->capture_default_str();
   addGeneralOptions(*command, options->general);
   command->callback([options] { fit(*options); });
 }

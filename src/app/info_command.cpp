@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -9,8 +10,10 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "image/read_image.h"
+#include "light/builtin_lights.h"
 #include "light/light_projection.h"
 #include "light/load_light.h"
+#include "mesh/builtin_meshes.h"
 #include "mesh/mesh_file.h"
 #include "mesh/mesh_measures.h"
 #include "scene/names.h"
@@ -112,13 +115,16 @@ Json describeImage(const std::string& name, Console& console) {
 }
 
 Json describeBuiltin(const std::string& name, Console& console) {
+  const std::vector<std::string> meshes = builtinMeshNames(), lights = builtinLightNames();
   if (std::ranges::find(builtinScenes, name) != builtinScenes.end()) return describeSceneFile(name);
-  if (!name.ends_with("torusknot") && !name.ends_with("sphere")) {
-    Json info{{"kind", "light"}};
-    addLightFigures(name, info);
-    return info;
-  }
-  return describeMesh(name, console);
+  if (std::ranges::find(meshes, name) != meshes.end()) return describeMesh(name, console);
+  if (std::ranges::find(lights, name) == lights.end())
+    throw InputError(fmt::format("there is no {}; built in are {}, {}, {}", name,
+                                 fmt::join(builtinScenes, ", "), fmt::join(meshes, ", "),
+                                 fmt::join(lights, ", ")));
+  Json info{{"kind", "light"}};
+  addLightFigures(name, info);
+  return info;
 }
 
 bool isSphereSet(const std::string& name) {
