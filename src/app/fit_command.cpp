@@ -54,7 +54,7 @@ void addFitCommand(CLI::App& app) {
       ->required();
   command->add_option("-o,--output", options->output, "Sphere set to write (.json)")->required();
   command->add_option("--spheres", options->spheres, "How many spheres")
-      ->check(CLI::Range(1, int(maximumSphereCount)))
+      ->check(CLI::Range(1, 4096))
       ->capture_default_str();
   const CLI::Validator withoutSign(
       [](const std::string& text) { return text.starts_with('-') ? "must not be negative" : ""; },

@@ -97,7 +97,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
       ->group("Scene");
   command.add_option("--spheres", options.spheres, "Spheres fitted to each object [64]")
       ->group("Scene")
-      ->check(CLI::Range(1, int(maximumSphereCount)));
+      ->check(CLI::Range(1, 4096));
   text("--method", options.method, "haar, pixel (all texels) or pixel-mesh (rays) [haar]",
        "Computation")
       ->check(CLI::IsMember(namesOf(shadingMethodNames)));
@@ -119,6 +119,10 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
 SceneDescription describeScene(const SceneOptions& options) {
   if (!options.scene.empty() && !options.mesh.empty())
     throw InputError("give a scene or --mesh, not both");
+  const std::string extension = fs::path(options.scene).extension().string();
+  for (const char* meshExtension : {".obj", ".ply", ".off", ".stl"})
+    if (extension == meshExtension)
+      throw InputError(options.scene + " is a mesh, not a scene file: give it with --mesh");
   SceneDescription scene =
       !options.mesh.empty() ? sceneAroundMesh(options.mesh)
                             : readScene(options.scene.empty() ? "builtin:default" : options.scene);

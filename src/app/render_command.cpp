@@ -40,8 +40,8 @@ void applyExposure(const std::string& text, ImageDescription& image) {
   } catch (const std::exception&) {
     used = 0;
   }
-  if (used != text.size() || !(std::abs(*image.exposure) <= 64))
-    throw InputError("--exposure takes a number of stops from -64 to 64 or auto, not '" + text +
+  if (used != text.size() || !(std::abs(*image.exposure) <= 32))
+    throw InputError("--exposure takes a number of stops from -32 to 32 or auto, not '" + text +
                      "'");
 }
 
@@ -183,12 +183,13 @@ void addRenderCommand(CLI::App& app) {
   command
       ->add_option("-o,--output", options->outputs,
                    "Picture to write: .png (sRGB) or .exr (linear float32); may be repeated")
+      ->allow_extra_args(false)
       ->required()
       ->group("Output");
   command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels [960x540]")->group("Output");
   command->add_option("--samples", options->samples, "Camera rays per pixel [4]")
       ->group("Computation")
-      ->check(CLI::Range(1, 1024));
+      ->check(CLI::Range(1, 4096));
   command->add_option("--exposure", options->exposure, "Stops, or auto, for PNG [auto]")
       ->group("Output");
   command

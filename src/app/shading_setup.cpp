@@ -99,6 +99,7 @@ void addCompareOption(CLI::App& command, std::vector<std::string>& methods) {
       .add_option("--compare-to", methods,
                   "Compute it again by this method and print the root mean square error; may be "
                   "repeated")
+      ->allow_extra_args(false)
       ->group("Computation")
       ->check(CLI::IsMember(namesOf(shadingMethodNames)));
 }

@@ -75,6 +75,8 @@ std::vector<std::uint8_t> readWholeFile(const fs::path& path, const std::string&
   std::error_code error;
   if (fs::is_directory(path, error))
     throw InputError("cannot read " + what + " " + path.string() + ": it is a folder");
+  if (fs::is_character_file(path, error) || fs::is_block_file(path, error))
+    throw InputError("cannot read " + what + " " + path.string() + ": it is a device");
   FileHandle file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) throw InputError("cannot read " + what + " " + path.string() + ": " + systemMessage());
   std::vector<std::uint8_t> bytes;

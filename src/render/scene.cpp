@@ -28,7 +28,8 @@ fs::path cachedSetFile(const TriangleMesh& mesh, int count) {
 }
 
 std::optional<SphereSet> readCachedSet(const fs::path& file, const TriangleMesh& mesh) {
-  if (file.empty() || !fs::exists(file)) return std::nullopt;
+  std::error_code error;
+  if (file.empty() || !fs::exists(file, error)) return std::nullopt;
   try {
     SphereSet set = readSphereSet(file);
     if (set.meshHash == meshHash(mesh)) return set;

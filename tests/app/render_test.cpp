@@ -45,6 +45,23 @@ TEST_CASE("the default scene is written as PNG and EXR from one call") {
     CHECK(std::ranges::find(exr.channels, channel) != exr.channels.end());
 }
 
+TEST_CASE("a scene may stand after an output and after a method to compare with") {
+  const TemporaryFolder folder;
+  const auto results = resultsOf(joined({"render", "-o", folder / "picture.png", "builtin:smooth",
+                                         "--compare-to", "pixel", "--compare-to", "haar", "--sheet",
+                                         folder / "sheet.png"},
+                                        tiny));
+  CHECK(results.at("light") == "builtin:sky");
+  REQUIRE(results.at("comparison").size() == 2);
+  CHECK(results.at("comparison")[0].at("reference") == "pixel");
+  CHECK(results.at("comparison")[1].at("rmse") == 0);
+  CHECK(readFile(folder / "sheet.png").starts_with("\x89PNG"));
+}
+
+TEST_CASE("a mesh in the place of a scene is pointed out") {
+  checkRefused({"render", "bunny.obj", "-o", "x.png"}, "--mesh");
+}
+
 TEST_CASE("results go to standard output, messages to standard error") {
   const TemporaryFolder folder;
   const Arguments arguments = joined({"render", "-o", folder / "picture.png"}, tiny);
