@@ -95,6 +95,7 @@ TEST_CASE("messages are coloured on a terminal only, and not with NO_COLOR") {
   const Arguments wrong{"info", "missing.obj"};
   Surroundings surroundings;
   CHECK_FALSE(contains(runHaarlight(wrong).errors, "\x1b"));
+  if (!haveTerminals()) return;
   surroundings.terminal = true;
   CHECK(contains(runHaarlight(wrong, surroundings).errors, "\x1b["));
   surroundings.environment.emplace("NO_COLOR", "1");

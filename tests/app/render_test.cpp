@@ -47,10 +47,10 @@ TEST_CASE("the default scene is written as PNG and EXR from one call") {
 
 TEST_CASE("a scene may stand after an output and after a method to compare with") {
   const TemporaryFolder folder;
-  const auto results = resultsOf(joined({"render", "-o", folder / "picture.png", "builtin:smooth",
-                                         "--compare-to", "pixel", "--compare-to", "haar", "--sheet",
-                                         folder / "sheet.png"},
-                                        tiny));
+  const auto results =
+      resultsOf(joined({"render", "-o", folder / "picture.png", "builtin:smooth", "--compare-to",
+                        "pixel", "--compare-to", "haar", "--sheet", folder / "sheet.png"},
+                       tiny));
   CHECK(results.at("light") == "builtin:sky");
   REQUIRE(results.at("comparison").size() == 2);
   CHECK(results.at("comparison")[0].at("reference") == "pixel");

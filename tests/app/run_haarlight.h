@@ -43,6 +43,9 @@ Arguments joined(Arguments first, const Arguments& second);
 
 bool contains(const std::string& text, const std::string& part);
 
+/// Whether `Surroundings::terminal` can be had; else a line "SKIPPED: …" has been printed.
+bool haveTerminals();
+
 /// Whether an OpenCL device can be used; else a line "SKIPPED: …" has been printed.
 bool haveOpenCl();
 

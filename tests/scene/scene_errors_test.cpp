@@ -220,5 +220,5 @@ TEST_CASE("files that cannot be scenes are refused") {
         "cannot read scene " + large.string() + ": it is larger than 4194304 bytes");
   CHECK(failure("builtin:bunny") ==
         "unknown scene 'builtin:bunny'; built in are builtin:default, builtin:smooth");
-  CHECK(failure("/dev/zero") == "cannot read scene /dev/zero: it is larger than 4194304 bytes");
+  CHECK(failure("/dev/zero") == "cannot read scene /dev/zero: it is a device");
 }
