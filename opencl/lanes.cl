@@ -37,6 +37,7 @@ typedef uint LaneUint;
 #define TO_LANE_FLOAT(value) ((float)(value))
 #define TO_LANE_UINT(value) ((uint)(value))
 #define ANY_LANE(mask) (mask)
+#define LOAD_LANES(address) ((address)[get_local_id(0)])
 #define STORE_LANES(value, address) ((address)[get_local_id(0)] = (value))
 #else
 typedef float16 LaneFloat;
@@ -48,6 +49,7 @@ typedef uint16 LaneUint;
 #define TO_LANE_FLOAT(value) convert_float16(value)
 #define TO_LANE_UINT(value) convert_uint16(value)
 #define ANY_LANE(mask) any(mask)
+#define LOAD_LANES(address) vload16(0, address)
 #define STORE_LANES(value, address) vstore16(value, 0, address)
 #endif
 

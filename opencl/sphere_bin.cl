@@ -1,44 +1,43 @@
 // Which entry of the sphere table a sphere falls into. Twin of src/visibility/sphere_bin.cpp: the
-// same operations in the same order, since they decide bits.
+// same operations in the same order, since they decide bits. A lane has a sphere of its own.
 
 // Largest column (or row) whose lower border (column - 16)/16 * major is not above `coordinate`.
-inline uint texelOf(float coordinate, float major) {
-  int column = 0;
-  for (int step = 16; step > 0; step /= 2)
-    if (coordinate >= (float)(column + step - 16) * 0.0625f * major) column += step;
-  return (uint)column;
+inline LaneInt texelOf(LaneFloat coordinate, LaneFloat major) {
+  LaneInt column = 0;
+  for (int step = 16; step > 0; step /= 2) {
+    const LaneFloat border = TO_LANE_FLOAT(column + step - 16) * 0.0625f * major;
+    column = select(column, column + step, coordinate >= border);
+  }
+  return column;
 }
 
-inline uint directionBin(float x, float y, float z) {
-  const float absX = fabs(x), absY = fabs(y), absZ = fabs(z);
-  const bool alongX = absX >= absY && absX >= absZ;
-  const bool alongY = !alongX && absY >= absZ;
-  const float major = alongX ? absX : alongY ? absY : absZ;
-  const bool positive = (alongX ? x : alongY ? y : z) > 0;
-  const float s = alongX ? (positive ? -z : z) : alongY ? x : (positive ? x : -x);
-  const float t = alongY ? (positive ? z : -z) : -y;
-  const uint face = (alongX ? 0u : alongY ? 2u : 4u) + (positive ? 0u : 1u);
+inline LaneInt directionBin(LaneFloat x, LaneFloat y, LaneFloat z) {
+  const LaneFloat absX = fabs(x), absY = fabs(y), absZ = fabs(z);
+  const LaneInt alongX = (absX >= absY) & (absX >= absZ), alongY = absY >= absZ;
+  const LaneFloat along = select(select(z, y, alongY), x, alongX);
+  const LaneInt positive = along > 0.0f;
+  const LaneFloat s = select(select(select(-x, x, positive), x, alongY),
+                             select(z, -z, positive), alongX);
+  const LaneFloat t = select(select(-y, select(-z, z, positive), alongY), -y, alongX);
+  const LaneInt axis = select(select((LaneInt)4, (LaneInt)2, alongY), (LaneInt)0, alongX);
+  const LaneInt face = axis + select((LaneInt)1, (LaneInt)0, positive);
+  const LaneFloat major = fabs(along);
   return (face * FACE_SIZE + texelOf(t, major)) * FACE_SIZE + texelOf(s, major);
 }
 
 // r^2 >= (bin/32)^3 without the quotient; less where the centre is below the tangent plane.
-inline uint radiusBin(float x, float y, float z, float radius, float4 normal) {
-  const float distanceSquared = (x * x + y * y) + z * z;
-  const float radiusSquared = radius * radius;
-  const float height = (x * normal.x + y * normal.y) + z * normal.z;
-  const float depth = fmin(height, 0.0f);
-  const float limit = (float)HORIZON_FACTOR * depth * depth;
-  int bin = 0;
+inline LaneInt radiusBin(LaneFloat x, LaneFloat y, LaneFloat z, LaneFloat radius, float4 normal) {
+  const LaneFloat distanceSquared = (x * x + y * y) + z * z;
+  const LaneFloat radiusSquared = radius * radius;
+  const LaneFloat height = (x * normal.x + y * normal.y) + z * normal.z;
+  const LaneFloat depth = fmin(height, 0.0f);
+  const LaneFloat limit = (float)HORIZON_FACTOR * depth * depth;
+  LaneInt bin = 0;
   for (int step = 16; step > 0; step /= 2) {
-    const int next = bin + step;
-    const float bound = (float)(next * next * next) * 0x1p-15f;
-    if (radiusSquared >= bound * distanceSquared && limit <= (1.0f - bound) * distanceSquared)
-      bin = next;
+    const LaneInt next = bin + step;
+    const LaneFloat bound = TO_LANE_FLOAT(next * next * next) * 0x1p-15f;
+    bin = select(bin, next, (radiusSquared >= bound * distanceSquared) &
+                                (limit <= (1.0f - bound) * distanceSquared));
   }
-  return (uint)bin;
-}
-
-inline uint sphereTableEntry(float4 sphere, float4 position, float4 normal) {
-  const float x = sphere.x - position.x, y = sphere.y - position.y, z = sphere.z - position.z;
-  return directionBin(x, y, z) * RADIUS_BINS + radiusBin(x, y, z, sphere.w, normal);
+  return bin;
 }
