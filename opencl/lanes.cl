@@ -1,23 +1,37 @@
 // Lanes: how kernels share one sample among work-items.
 //
 // A sample is worked on by LANES = 32 lanes. The host chooses how many lanes a work-item carries:
-// on a GPU one (a work-group of 32 items is one warp), on a CPU all of them (a work-group is one
-// item, and the compiler turns lane loops into vector instructions). Results do not depend on it.
+// on a GPU one (the 32 items of a sample are one warp), on a CPU all of them (a sample is one item,
+// and the compiler turns lane loops into vector instructions). It also chooses how many samples a
+// work-group holds: get_local_id(0) counts the items of a sample, get_local_id(1) the samples of a
+// group. Results depend on neither.
 //
-//   FOR_EACH_LANE(lane) { … }   runs the lanes of this work-item
-//   OF_LANE(array, lane)        element of a private array declared with [LANES_PER_ITEM]
-//   LANE_BARRIER()              what lanes wrote to local memory is seen by all lanes
+//   SAMPLE                            number of the sample
+//   FOR_EACH_LANE(lane) { … }         runs the lanes of this work-item
+//   OF_LANE(array, lane)              element of a private array declared with [LANES_PER_ITEM]
+//   SAMPLE_LOCAL(type, array, size);  local memory of a sample, at the head of a kernel
+//   LANE_BARRIER()                    what lanes wrote to local memory is seen by all lanes
 //
-// Constants come from the host (src/engine/opencl/program.cpp).
+// Constants come from the host (src/engine/kernel_constants.h, src/engine/opencl/opencl_program.cpp).
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#define ITEMS_PER_GROUP (LANES / LANES_PER_ITEM)
+#define ITEMS_PER_SAMPLE (LANES / LANES_PER_ITEM)
 #define FOR_EACH_LANE(lane) \
   for (uint lane = FIRST_LANE; lane < FIRST_LANE + LANES_PER_ITEM; ++lane)
 #define OF_LANE(array, lane) (array)[(lane) % LANES_PER_ITEM]
 
-#if ITEMS_PER_GROUP > 1
+#if SAMPLES_PER_GROUP > 1
+#define SAMPLE_IN_GROUP get_local_id(1)
+#else
+#define SAMPLE_IN_GROUP 0
+#endif
+#define SAMPLE (get_group_id(1) * SAMPLES_PER_GROUP + SAMPLE_IN_GROUP)
+#define SAMPLE_LOCAL(type, array, size)                     \
+  __local type array##OfGroup[SAMPLES_PER_GROUP * (size)]; \
+  __local type* const array = array##OfGroup + SAMPLE_IN_GROUP * (size)
+
+#if ITEMS_PER_SAMPLE > 1
 #define FIRST_LANE ((uint)get_local_id(0) * LANES_PER_ITEM)
 #define LANE_BARRIER() barrier(CLK_LOCAL_MEM_FENCE)
 #else
@@ -53,7 +67,8 @@ typedef uint16 LaneUint;
 #define STORE_LANES(value, address) vstore16(value, 0, address)
 #endif
 
-#define HAARLIGHT_KERNEL __kernel __attribute__((reqd_work_group_size(ITEMS_PER_GROUP, 1, 1)))
+#define HAARLIGHT_KERNEL \
+  __kernel __attribute__((reqd_work_group_size(ITEMS_PER_SAMPLE, SAMPLES_PER_GROUP, 1)))
 
 // A receiver's normal (src/material/cosine_lobe.h).
 typedef struct {

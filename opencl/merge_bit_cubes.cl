@@ -12,10 +12,10 @@ HAARLIGHT_KERNEL void mergeBitCubes(__global const float4* restrict positions,
                                     __global const uint* restrict sphereTable,
                                     __global const uchar* restrict occupiedFaces,
                                     __global uint* restrict bitCubes) {
-  __local float x[LANES], y[LANES], z[LANES], radius[LANES];
-  __local uint entries[LANES];
-  __local uint faces[LANES];
-  const size_t sample = get_group_id(0);
+  SAMPLE_LOCAL(float, seen, 4 * LANES);
+  SAMPLE_LOCAL(uint, entries, LANES);
+  SAMPLE_LOCAL(uint, faces, LANES);
+  const size_t sample = SAMPLE;
   const float4 position = positions[sample], normal = normals[sample];
 
   uint rows[FACES][LANES_PER_ITEM];
@@ -23,20 +23,7 @@ HAARLIGHT_KERNEL void mergeBitCubes(__global const float4* restrict positions,
     FOR_EACH_LANE(lane) OF_LANE(rows[face], lane) = 0;
 
   for (uint first = 0; first < sphereCount; first += LANES) {
-    FOR_EACH_LANE(lane) {
-      const float4 sphere = spheres[min(first + lane, sphereCount - 1)];
-      x[lane] = sphere.x - position.x;
-      y[lane] = sphere.y - position.y;
-      z[lane] = sphere.z - position.z;
-      radius[lane] = sphere.w;
-    }
-    for (uint vector = 0; vector < LANE_VECTORS; ++vector) {
-      const LaneFloat dx = LOAD_LANES(x + 16 * vector), dy = LOAD_LANES(y + 16 * vector),
-                      dz = LOAD_LANES(z + 16 * vector), r = LOAD_LANES(radius + 16 * vector);
-      const LaneInt entry =
-          directionBin(dx, dy, dz) * RADIUS_BINS + radiusBin(dx, dy, dz, r, normal);
-      STORE_LANES(TO_LANE_UINT(entry), entries + 16 * vector);
-    }
+    findTableEntries(spheres, sphereCount, first, position, normal, seen, entries);
     FOR_EACH_LANE(lane) faces[lane] = occupiedFaces[entries[lane]];
     LANE_BARRIER();
     for (uint i = 0; i < LANES; ++i) {

@@ -62,7 +62,7 @@ inline LaneInt isBlocked(Rows rows, LaneInt column) {
 
 // By Cauchy's inequality (c.D)^2 <= (atCenter^2 / lengthSquared + alongS^2) |c|^2.
 inline LaneInt mayBeBlocked(Rows rows) {
-  const LaneFloat ahead = fmax(rows.atCenter, 0.0f);
+  const LaneFloat ahead = fmax(rows.atCenter, (LaneFloat)0.0f);
   const LaneFloat bound = ahead * ahead + rows.alongS * rows.alongS * rows.lengthSquared;
   return bound * CAUTION >= rows.lengthSquared * rows.rim;
 }
@@ -103,8 +103,8 @@ HAARLIGHT_KERNEL void mergeBitCubesExactly(__global const float4* restrict posit
                                            __global const float4* restrict spheres,
                                            const uint sphereCount,
                                            __global uint* restrict bitCubes) {
-  __local float4 caps[LANES];
-  const size_t sample = get_group_id(0);
+  SAMPLE_LOCAL(float4, caps, LANES);
+  const size_t sample = SAMPLE;
   const float4 position = positions[sample], normal = normals[sample];
 
   LaneUint blocked[FACES][LANE_VECTORS];
@@ -123,7 +123,9 @@ HAARLIGHT_KERNEL void mergeBitCubesExactly(__global const float4* restrict posit
         for (uint vector = 0; vector < LANE_VECTORS; ++vector) {
           const LaneFloat t = centerCoordinate(LANE_NUMBERS(vector));
           const Rows rows = {d.x + t * d.z, 1.0f + t * t, d.y, rim};
-          if (ANY_LANE(mayBeBlocked(rows))) blocked[face][vector] |= rowBits(rows);
+          const LaneInt reached = mayBeBlocked(rows);
+          if (ANY_LANE(reached))
+            blocked[face][vector] |= select((LaneUint)0, rowBits(rows), reached);
         }
       }
     }

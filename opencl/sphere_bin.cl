@@ -30,7 +30,7 @@ inline LaneInt radiusBin(LaneFloat x, LaneFloat y, LaneFloat z, LaneFloat radius
   const LaneFloat distanceSquared = (x * x + y * y) + z * z;
   const LaneFloat radiusSquared = radius * radius;
   const LaneFloat height = (x * normal.x + y * normal.y) + z * normal.z;
-  const LaneFloat depth = fmin(height, 0.0f);
+  const LaneFloat depth = fmin(height, (LaneFloat)0.0f);
   const LaneFloat limit = (float)HORIZON_FACTOR * depth * depth;
   LaneInt bin = 0;
   for (int step = 16; step > 0; step /= 2) {
@@ -40,4 +40,25 @@ inline LaneInt radiusBin(LaneFloat x, LaneFloat y, LaneFloat z, LaneFloat radius
                                 (limit <= (1.0f - bound) * distanceSquared));
   }
   return bin;
+}
+
+// Table entries of the spheres first, first + 1, …, one per lane; the last sphere fills up the lanes
+// beyond sphereCount. `seen` is room for the spheres as seen from the sample, 4 · LANES floats.
+inline void findTableEntries(__global const float4* restrict spheres, uint sphereCount, uint first,
+                             float4 position, float4 normal, __local float* seen,
+                             __local uint* entries) {
+  FOR_EACH_LANE(lane) {
+    const float4 sphere = spheres[min(first + lane, sphereCount - 1)];
+    seen[lane] = sphere.x - position.x;
+    seen[lane + LANES] = sphere.y - position.y;
+    seen[lane + 2 * LANES] = sphere.z - position.z;
+    seen[lane + 3 * LANES] = sphere.w;
+  }
+  for (uint vector = 0; vector < LANE_VECTORS; ++vector) {
+    __local const float* own = seen + 16 * vector;
+    const LaneFloat x = LOAD_LANES(own), y = LOAD_LANES(own + LANES),
+                    z = LOAD_LANES(own + 2 * LANES), radius = LOAD_LANES(own + 3 * LANES);
+    const LaneInt entry = directionBin(x, y, z) * RADIUS_BINS + radiusBin(x, y, z, radius, normal);
+    STORE_LANES(TO_LANE_UINT(entry), entries + 16 * vector);
+  }
 }

@@ -45,11 +45,11 @@ HAARLIGHT_KERNEL void transformOcclusion(__global const uint* restrict bitCubes,
                                          __global float* restrict coefficients,
                                          __global float* restrict means,
                                          __global ushort* restrict blocks) {
-  __local float meansOfLevel3[FACES * 64];
-  __local float meansOfLevel2[FACES * 16];
-  __local float meansOfLevel1[FACES * 4];
-  __local float meansOfLevel0[FACES];
-  const size_t sample = get_group_id(0);
+  SAMPLE_LOCAL(float, meansOfLevel3, FACES * 64);
+  SAMPLE_LOCAL(float, meansOfLevel2, FACES * 16);
+  SAMPLE_LOCAL(float, meansOfLevel1, FACES * 4);
+  SAMPLE_LOCAL(float, meansOfLevel0, FACES);
+  const size_t sample = SAMPLE;
   __global const uint* bitCube = bitCubes + sample * BIT_CUBE_ROWS;
   __global float* ownCoefficients = coefficients + sample * FACES * COARSE_COEFFICIENTS;
   __global float* ownMeans = means + sample * FACES * COARSE_MEANS;

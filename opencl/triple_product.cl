@@ -120,8 +120,10 @@ HAARLIGHT_KERNEL void tripleProduct(__global const float* restrict coefficients,
                                     __global const float4* restrict lightMeans,
                                     __global const float4* restrict unshadowed,
                                     __global float4* restrict radiance) {
-  __local float redPartials[LANES], greenPartials[LANES], bluePartials[LANES];
-  const size_t sample = get_group_id(0);
+  SAMPLE_LOCAL(float, redPartials, LANES);
+  SAMPLE_LOCAL(float, greenPartials, LANES);
+  SAMPLE_LOCAL(float, bluePartials, LANES);
+  const size_t sample = SAMPLE;
   const Occlusion occlusion = {coefficients + sample * FACES * COARSE_COEFFICIENTS,
                                means + sample * FACES * COARSE_MEANS, blocks + sample * BLOCKS,
                                blockTable, levels};

@@ -66,6 +66,13 @@ void applyShading(const SceneOptions& options, ShadingDescription& shading) {
   if (options.levels) shading.levels = *options.levels;
 }
 
+/// Why `auto` came down to the slowest engine.
+std::string referenceWarning() {
+  const std::string advice = openClAdvice();
+  return (advice.empty() ? "no device passes the self test" : advice) +
+         "; using the scalar reference engine";
+}
+
 }  // namespace
 
 void addGeneralOptions(CLI::App& command, GeneralOptions& options) {
@@ -111,9 +118,11 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
        "Of spheres, for haar and pixel: exact, or the paper's table (faster) [exact]",
        "Computation")
       ->check(CLI::IsMember(namesOf(visibilityKindNames)));
-  text("--engine", options.engine, "auto, reference or opencl [auto]", "Computation")
+  text("--engine", options.engine, "auto, reference, opencl, cuda or cuda-host [auto]",
+       "Computation")
       ->check(CLI::IsMember(namesOf(engineChoiceNames)));
-  text("--device", options.device, "OpenCL device: part of its name, or its index", "Computation");
+  text("--device", options.device, "Device of the engine: part of its name, or its index",
+       "Computation");
 }
 
 SceneDescription describeScene(const SceneOptions& options) {
@@ -131,7 +140,8 @@ SceneDescription describeScene(const SceneOptions& options) {
   if (options.spheres)
     for (ObjectDescription& object : scene.objects) object.spheres = *options.spheres;
   if (!options.device.empty() && scene.shading.engine == EngineChoice::Reference)
-    throw InputError("--device is for the engine opencl, not for reference; leave one of them out");
+    throw InputError(
+        "--device is for the engines opencl and cuda, not for reference; leave one of them out");
   return scene;
 }
 
@@ -150,9 +160,12 @@ std::shared_ptr<Engine> openEngine(const SceneOptions& options, const SceneDescr
   EngineOptions engineOptions;
   engineOptions.engine = nameOf(engineChoiceNames, scene.shading.engine);
   engineOptions.device = options.device;
+  engineOptions.onRefusal = [&](const std::string& reason) {
+    console.warning(reason + "; trying the next one");
+  };
   std::shared_ptr<Engine> engine = makeEngine(engineOptions, std::move(table));
   if (engineOptions.engine == "auto" && engine->name() == "reference")
-    console.warning(openClAdvice() + "; using the scalar reference engine");
+    console.warning(referenceWarning());
   if (engine->preparationSeconds() > 0)
     console.message(fmt::format("{}: kernels ready in {:.2f} s", engine->deviceName(),
                                 engine->preparationSeconds()));

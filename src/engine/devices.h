@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,27 +22,42 @@ struct DeviceDescription {
   /// Bytes; 0 when unknown.
   std::uint64_t globalMemory = 0;
   std::uint64_t localMemory = 0;
+  bool isCpu = false;
+  /// Whether the device only imitates another one; `auto` never chooses it.
+  bool emulation = false;
+  /// Why results may differ in the last bits (Engine::numericLimitation); empty: they do not.
+  std::string numericLimitation;
   /// Why it cannot be used; empty when it can.
   std::string problem;
 };
 
-/// Every device of every engine of this build.
+/// Every device of every engine; CUDA without one is an entry with that problem.
 std::vector<DeviceDescription> listDevices();
 
 /// What to tell someone whose machine has no OpenCL device, or empty when it has one.
 std::string openClAdvice();
 
+/// The same about CUDA devices.
+std::string cudaAdvice();
+
 struct EngineOptions {
-  /// "auto" (OpenCL when a device is there, else reference), "reference" or "opencl".
+  /// "auto" (CUDA, then OpenCL GPUs, then OpenCL CPUs, else reference), "reference", "opencl",
+  /// "cuda" or "cuda-host".
   std::string engine = "auto";
-  /// OpenCL device by index or by a part of its name; empty: the first usable one, GPUs first.
-  std::string device;
-  /// Lanes a work-item carries, 1 or 32 (opencl/lanes.cl); 0: what suits the device.
+  /// Device by index or by a part of its name; empty: the first usable one, GPUs first.
+  std::string device = {};
+  /// How samples are spread over work-items; 0: what suits the device. CUDA has one lane an item.
   int lanesPerItem = 0;
+  int samplesPerGroup = 0;
+  /// Whether the device has to pass the self test (engine/self_test.h).
+  bool selfTest = true;
+  /// Told in words of every device that "auto" passes over because it failed.
+  std::function<void(const std::string& reason)> onRefusal = {};
 };
 
 /// An engine that looks visibility up in `table`, or with none finds it exactly
-/// (visibility/visibility_kind.h). Throws InputError for an unknown engine or device.
+/// (visibility/visibility_kind.h). Throws InputError for an unknown engine or device and for one
+/// that fails the self test.
 std::unique_ptr<Engine> makeEngine(const EngineOptions& options,
                                    std::shared_ptr<const SphereTable> table);
 

@@ -26,15 +26,30 @@ struct StageTimes {
   double total = 0;
 };
 
+/// What an engine takes of its device.
+struct DeviceUse {
+  /// Bytes of device memory that are allocated now; 0 for engines on the host.
+  std::uint64_t memoryBytes = 0;
+  /// Work-items (CUDA: threads) of a work-group; 0 for engines without.
+  int itemsPerGroup = 0;
+  struct Kernel {
+    std::string name;
+    /// Bytes of local (CUDA: shared) memory of a work-group.
+    std::uint64_t localBytes;
+  };
+  /// Kernels whose local memory the device tells.
+  std::vector<Kernel> kernels;
+};
+
 /// One implementation of the three steps of a frame (method.md §2, steps 5–7), on one device.
 ///
 /// merge:          spheres and sample positions → bit cubes
 /// transform:      bit cubes → occlusion in the Haar basis
 /// triple product: occlusion, light, lobes → radiance
 ///
-/// shade() runs all three without anything leaving the device in between. The other two calls run
-/// single steps and bring their results back, so that engines can be compared stage by stage.
-/// All engines give the same bits (docs/numerics.md).
+/// shade() runs all three without anything leaving the device in between. The other calls run
+/// single steps and bring their results back, so that engines can be compared stage by stage
+/// (verify/). All engines give the same bits (docs/numerics.md).
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -44,15 +59,29 @@ class Engine {
   /// The device it runs on, in words.
   virtual std::string deviceName() const = 0;
 
+  /// Why its results may differ from the reference's in the last bits, in words; empty when nothing
+  /// is known that would (docs/numerics.md).
+  virtual std::string numericLimitation() const { return {}; }
+
   /// Seconds spent on compiling kernels when the engine was made, 0 when nothing is compiled.
   virtual double preparationSeconds() const { return 0; }
 
-  /// Sets light, lobes and terms for the following shade() calls.
+  virtual DeviceUse deviceUse() const { return {}; }
+
+  /// Sets light, lobes and terms for the following tripleProduct() and shade() calls.
   virtual void setShading(const ShadingTables& tables) = 0;
 
+  /// Entry of the sphere table that each sphere falls into (visibility/sphere_bin.h), seen from
+  /// each receiver: receiver · spheres + sphere. The table itself is not needed.
+  virtual std::vector<std::uint32_t> sphereTableEntries(std::span<const Sphere> spheres,
+                                                        ReceiverSpan receivers) = 0;
   virtual std::vector<BitCube> mergeBitCubes(std::span<const Sphere> spheres,
                                              ReceiverSpan receivers) = 0;
   virtual std::vector<OcclusionHaar> transformOcclusion(std::span<const BitCube> cubes) = 0;
+
+  /// Radiance (RGB, 0) of white receivers with these occlusions and lobes.
+  virtual std::vector<glm::vec4> tripleProduct(std::span<const OcclusionHaar> occlusion,
+                                               std::span<const LobeBlend> lobes) = 0;
 
   /// Radiance (RGB, 0) of white receivers: multiply by the albedo.
   virtual std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,

@@ -39,10 +39,12 @@ inline constexpr std::array<Named<VisibilityKind>, 2> visibilityKindNames{{
     {"table", VisibilityKind::table},
 }};
 
-inline constexpr std::array<Named<EngineChoice>, 3> engineChoiceNames{{
+inline constexpr std::array<Named<EngineChoice>, 5> engineChoiceNames{{
     {"auto", EngineChoice::Auto},
     {"reference", EngineChoice::Reference},
     {"opencl", EngineChoice::OpenCl},
+    {"cuda", EngineChoice::Cuda},
+    {"cuda-host", EngineChoice::CudaHost},
 }};
 
 }  // namespace haarlight

@@ -106,7 +106,7 @@ struct ImageDescription {
 enum class ShadingMethod { Haar, Pixel, PixelMesh };
 
 /// Which engine computes. Auto: OpenCL when there is a device, else the reference engine.
-enum class EngineChoice { Auto, Reference, OpenCl };
+enum class EngineChoice { Auto, Reference, OpenCl, Cuda, CudaHost };
 
 struct ShadingDescription {
   ShadingMethod method = ShadingMethod::Haar;

@@ -10,6 +10,7 @@ namespace {
 Surroundings withoutDrivers(const TemporaryFolder& emptyFolder) {
   Surroundings surroundings;
   surroundings.environment["OCL_ICD_VENDORS"] = emptyFolder.path();
+  surroundings.environment["CUDA_VISIBLE_DEVICES"] = "";
   return surroundings;
 }
 
@@ -25,7 +26,12 @@ TEST_CASE("without OpenCL, devices says what to install") {
   CHECK_FALSE(contains(outcome.output, "engine: opencl\n"));
   CHECK(outcome.errors.starts_with("haarlight: warning: "));
   CHECK(contains(outcome.errors, "install"));
-  CHECK(resultsOf({"devices"}, withoutDrivers(noDrivers)).at("device").size() == 1);
+  for (const auto& device : resultsOf({"devices"}, withoutDrivers(noDrivers)).at("device")) {
+    CHECK(device.at("engine") != "opencl");
+    if (device.at("engine") != "cuda") continue;
+    CHECK(device.at("usable") == false);
+    CHECK(contains(device.at("problem"), "no CUDA device"));
+  }
 }
 
 TEST_CASE("without OpenCL, the engine auto is the reference engine, with a warning") {

@@ -16,6 +16,8 @@ bool sameBits(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) 
 }
 
 void checkAllStages(Engine& reference, Engine& engine, const TestScene& scene) {
+  REQUIRE(engine.sphereTableEntries(scene.spheres, scene.receivers) ==
+          reference.sphereTableEntries(scene.spheres, scene.receivers));
   const auto cubes = reference.mergeBitCubes(scene.spheres, scene.receivers);
   REQUIRE(engine.mergeBitCubes(scene.spheres, scene.receivers) == cubes);
   const auto occlusion = reference.transformOcclusion(cubes);
@@ -27,22 +29,22 @@ void checkRadiance(Engine& reference, Engine& engine, const TestScene& scene, in
   const ShadingTables tables = tablesFor(scene, terms, levels);
   reference.setShading(tables);
   engine.setShading(tables);
-  REQUIRE(sameBits(engine.shade(scene.spheres, scene.receivers),
-                   reference.shade(scene.spheres, scene.receivers)));
+  const auto expected = reference.shade(scene.spheres, scene.receivers);
+  REQUIRE(sameBits(engine.shade(scene.spheres, scene.receivers), expected));
+  const auto occlusion =
+      reference.transformOcclusion(reference.mergeBitCubes(scene.spheres, scene.receivers));
+  REQUIRE(sameBits(engine.tripleProduct(occlusion, scene.receivers.lobes), expected));
 }
 
-}  // namespace
-
-TEST_CASE("reference and OpenCL agree in every bit on 200 random scenes") {
-  for (const auto& [visibility, lanesPerItem] :
-       {std::pair(VisibilityKind::table, 32), std::pair(VisibilityKind::table, 1),
-        std::pair(VisibilityKind::exact, 32), std::pair(VisibilityKind::exact, 1)}) {
-    const auto engine = openClEngine(visibility, lanesPerItem);
+void checkAgreement(const std::string& engineName, const KernelShape& shape, unsigned seeds) {
+  for (const auto visibility : {VisibilityKind::table, VisibilityKind::exact}) {
+    const auto engine = testEngine(engineName, visibility, shape);
     if (!engine) return;
     const auto reference = referenceEngine(visibility);
-    for (unsigned seed = 0; seed < 200; ++seed) {
+    for (unsigned seed = 0; seed < seeds; ++seed) {
       CAPTURE(int(visibility));
-      CAPTURE(lanesPerItem);
+      CAPTURE(shape.lanesPerItem);
+      CAPTURE(shape.samplesPerGroup);
       CAPTURE(seed);
       const TestScene scene = randomScene(seed);
       checkAllStages(*reference, *engine, scene);
@@ -51,8 +53,35 @@ TEST_CASE("reference and OpenCL agree in every bit on 200 random scenes") {
   }
 }
 
+}  // namespace
+
+TEST_CASE("reference and OpenCL agree in every bit, all lanes in an item") {
+  checkAgreement("opencl", {32, 1}, 100);
+  checkAgreement("opencl", {32, 5}, 25);
+}
+
+TEST_CASE("reference and OpenCL agree in every bit, a lane an item") {
+  checkAgreement("opencl", {1, 1}, 100);
+  checkAgreement("opencl", {1, 3}, 25);
+  checkAgreement("opencl", {1, 8}, 25);
+}
+
+TEST_CASE("reference and CUDA on the host agree in every bit") {
+  checkAgreement("cuda-host", {1, 4}, 60);
+  checkAgreement("cuda-host", {1, 1}, 20);
+  checkAgreement("cuda-host", {1, 3}, 20);
+  checkAgreement("cuda-host", {1, 8}, 20);
+}
+
+TEST_CASE("reference and CUDA agree in every bit") {
+  checkAgreement("cuda", {1, 4}, 100);
+  checkAgreement("cuda", {1, 1}, 25);
+  checkAgreement("cuda", {1, 3}, 25);
+  checkAgreement("cuda", {1, 8}, 25);
+}
+
 TEST_CASE("reference and OpenCL agree in every bit on the complete triple product") {
-  const auto engine = openClEngine();
+  const auto engine = testEngine("opencl");
   if (!engine) return;
   const auto reference = referenceEngine();
   for (unsigned seed = 1000; seed < 1006; ++seed)
@@ -61,31 +90,42 @@ TEST_CASE("reference and OpenCL agree in every bit on the complete triple produc
 }
 
 TEST_CASE("a frame larger than a batch equals its receivers one by one") {
-  const auto engine = openClEngine();
-  if (!engine) return;
-  const TestScene scene = randomScene(7, 5000);
-  engine->setShading(tablesFor(scene, 30, 2));
-  const auto whole = engine->shade(scene.spheres, scene.receivers);
-  for (const std::size_t i : {0u, 2047u, 2048u, 4999u}) {
-    const auto one = engine->shade(scene.spheres, ReceiverSpan(scene.receivers).part(i, 1));
-    CHECK(sameBits(one, {whole[i]}));
+  for (const char* name : {"cuda-host", "opencl"}) {
+    const auto engine = testEngine(name);
+    if (!engine) return;
+    const TestScene scene = randomScene(7, 5000);
+    engine->setShading(tablesFor(scene, 30, 2));
+    const auto whole = engine->shade(scene.spheres, scene.receivers);
+    for (const std::size_t i : {0u, 2047u, 2048u, 4999u}) {
+      const auto one = engine->shade(scene.spheres, ReceiverSpan(scene.receivers).part(i, 1));
+      CHECK(sameBits(one, {whole[i]}));
+    }
   }
 }
 
 TEST_CASE("no spheres and no receivers are frames too") {
-  const auto engine = openClEngine();
-  if (!engine) return;
-  TestScene scene = randomScene(3);
-  const auto reference = referenceEngine();
-  scene.spheres.clear();
-  checkRadiance(*reference, *engine, scene, 200, 2);
-  CHECK(engine->shade(scene.spheres, Receivers{}).empty());
+  for (const char* name : {"cuda-host", "opencl"}) {
+    const auto engine = testEngine(name);
+    if (!engine) return;
+    TestScene scene = randomScene(3);
+    const auto reference = referenceEngine();
+    scene.spheres.clear();
+    checkRadiance(*reference, *engine, scene, 200, 2);
+    CHECK(engine->mergeBitCubes(scene.spheres, scene.receivers) ==
+          std::vector<BitCube>(scene.receivers.size()));
+    CHECK(engine->shade(scene.spheres, Receivers{}).empty());
+  }
 }
 
-TEST_CASE("an unknown engine or device is refused in words") {
-  const auto table = sharedSphereTable();
-  CHECK_THROWS_WITH_AS(makeEngine({"vulkan", "", 0}, table),
-                       "unknown engine 'vulkan': use auto, reference or opencl", InputError);
-  CHECK_THROWS_AS(makeEngine({"opencl", "no such device", 0}, table), InputError);
-  CHECK_THROWS_AS(makeEngine({"opencl", "99", 0}, table), InputError);
+TEST_CASE("an unknown engine, device or shape is refused in words") {
+  const auto refused = [](const EngineOptions& options) { makeEngine(options, nullptr); };
+  CHECK_THROWS_WITH_AS(refused({.engine = "vulkan"}),
+                       "unknown engine 'vulkan': use auto, reference, opencl, cuda or cuda-host",
+                       InputError);
+  CHECK_THROWS_AS(refused({.engine = "opencl", .device = "no such device"}), InputError);
+  CHECK_THROWS_AS(refused({.engine = "opencl", .device = "99"}), InputError);
+  CHECK_THROWS_AS(refused({.engine = "cuda", .device = "99"}), InputError);
+  CHECK_THROWS_AS(refused({.engine = "opencl", .lanesPerItem = 7}), InputError);
+  CHECK_THROWS_AS(refused({.engine = "cuda-host", .lanesPerItem = 32}), InputError);
+  CHECK_THROWS_AS(refused({.engine = "cuda-host", .samplesPerGroup = 9}), InputError);
 }

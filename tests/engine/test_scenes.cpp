@@ -85,16 +85,20 @@ std::unique_ptr<Engine> referenceEngine(VisibilityKind visibility) {
   return makeReferenceEngine(tableFor(visibility));
 }
 
-std::unique_ptr<Engine> openClEngine(VisibilityKind visibility, int lanesPerItem) {
+std::unique_ptr<Engine> testEngine(const std::string& name, VisibilityKind visibility,
+                                   const KernelShape& shape) {
   const auto devices = listDevices();
-  const bool found = std::ranges::any_of(devices, [](const DeviceDescription& d) {
-    return d.engine == "opencl" && d.problem.empty();
-  });
+  const bool found = std::ranges::any_of(
+      devices, [&](const DeviceDescription& d) { return d.engine == name && d.problem.empty(); });
   if (!found) {
-    std::printf("SKIPPED: %s\n", openClAdvice().c_str());
+    std::printf("SKIPPED: no device for the engine %s\n", name.c_str());
     return nullptr;
   }
-  return makeEngine({"opencl", "", lanesPerItem}, tableFor(visibility));
+  EngineOptions options;
+  options.engine = name;
+  options.lanesPerItem = shape.lanesPerItem;
+  options.samplesPerGroup = shape.samplesPerGroup;
+  return makeEngine(options, tableFor(visibility));
 }
 
 ShadingTables tablesFor(const TestScene& scene, int terms, int levels) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/devices.h"
+#include "engine/kernel_device.h"
 #include "visibility/visibility_kind.h"
 
 namespace haarlight::test {
@@ -27,9 +28,11 @@ std::shared_ptr<const SphereTable> sharedSphereTable();
 
 std::unique_ptr<Engine> referenceEngine(VisibilityKind visibility = VisibilityKind::exact);
 
-/// Null, after a line "SKIPPED: …", when this machine has no OpenCL device.
-std::unique_ptr<Engine> openClEngine(VisibilityKind visibility = VisibilityKind::exact,
-                                     int lanesPerItem = 0);
+/// An engine in a shape (0: what suits the device); null, after a line "SKIPPED: …", when it has no
+/// device here.
+std::unique_ptr<Engine> testEngine(const std::string& name,
+                                   VisibilityKind visibility = VisibilityKind::exact,
+                                   const KernelShape& shape = {0, 0});
 
 /// Tables for a scene.
 ShadingTables tablesFor(const TestScene& scene, int terms, int levels);

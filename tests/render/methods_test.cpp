@@ -95,7 +95,7 @@ TEST_CASE("reference and OpenCL agree in every bit on the bunny scene") {
   for (const VisibilityKind visibility : {VisibilityKind::exact, VisibilityKind::table}) {
     std::vector<std::vector<glm::vec3>> radiance;
     for (const char* engine : {"reference", "opencl"}) {
-      std::shared_ptr<Engine> made = makeEngine({engine, "", 0}, tableFor(visibility));
+      std::shared_ptr<Engine> made = makeEngine({.engine = engine}, tableFor(visibility));
       radiance.push_back(makeHaarMethod(scene, made, {}, samples, false)->radiance(samples));
     }
     CHECK(std::memcmp(radiance[0].data(), radiance[1].data(),

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "base/error.h"
+#include "engine/device_selection.h"
 #include "engine/devices.h"
 
 namespace haarlight {
@@ -21,11 +22,6 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-std::string lowerCase(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 std::string problemOf(const cl::Device& device) {
   if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return "the driver says it is not available";
   if (!device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>()) return "it has no kernel compiler";
@@ -37,39 +33,24 @@ std::string problemOf(const cl::Device& device) {
   return {};
 }
 
+/// Additions, multiplications and fma are correctly rounded on every device of the full profile;
+/// denormal numbers are optional.
+std::string numericLimitationOf(const cl::Device& device) {
+  const auto config = device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
+  if (!(config & CL_FP_ROUND_TO_NEAREST)) return "it does not round to nearest";
+  if (!(config & CL_FP_DENORM)) return "it flushes denormal numbers to zero";
+  return {};
+}
+
 OpenClDevice describe(const cl::Platform& platform, const cl::Device& device) {
   OpenClDevice found;
   found.device = device;
   found.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
   found.platform = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
   found.isCpu = device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU;
+  found.numericLimitation = numericLimitationOf(device);
   found.problem = problemOf(device);
   return found;
-}
-
-bool isNumber(const std::string& text) {
-  return !text.empty() && text.size() < 9 &&
-         std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c); });
-}
-
-const OpenClDevice* firstUsable(const std::vector<OpenClDevice>& devices) {
-  for (const bool wantCpu : {false, true})
-    for (const OpenClDevice& d : devices)
-      if (d.isCpu == wantCpu && d.problem.empty()) return &d;
-  return nullptr;
-}
-
-const OpenClDevice* select(const std::vector<OpenClDevice>& devices, const std::string& selector) {
-  if (selector.empty()) return firstUsable(devices);
-  if (isNumber(selector)) {
-    const std::size_t index = std::stoul(selector);
-    return index < devices.size() ? &devices[index] : nullptr;
-  }
-  const auto matches = [&](const OpenClDevice& d) {
-    return lowerCase(d.name).find(lowerCase(selector)) != std::string::npos;
-  };
-  const auto found = std::ranges::find_if(devices, matches);
-  return found == devices.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -97,15 +78,9 @@ std::vector<OpenClDevice> findOpenClDevices() {
 OpenClDevice chooseOpenClDevice(const std::string& selector) {
   const auto devices = findOpenClDevices();
   if (devices.empty()) throw InputError(openClAdvice());
-  const OpenClDevice* chosen = select(devices, selector);
-  if (!chosen && selector.empty())
-    throw InputError("no OpenCL device can be used; `haarlight devices` says why");
-  if (!chosen)
-    throw InputError("no OpenCL device is called or numbered '" + selector +
-                     "'; `haarlight devices` lists them");
-  if (!chosen->problem.empty())
-    throw InputError("OpenCL device " + chosen->name + " cannot be used: " + chosen->problem);
-  return *chosen;
+  std::vector<DeviceChoice> choices;
+  for (const OpenClDevice& d : devices) choices.push_back({d.name, d.isCpu, d.problem});
+  return devices[chooseDevice("OpenCL", choices, selector)];
 }
 
 std::string openClAdvice() {
@@ -127,6 +102,8 @@ std::vector<DeviceDescription> listOpenClDevices() {
     entry.computeUnits = int(found.device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
     entry.globalMemory = found.device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
     entry.localMemory = found.device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
+    entry.isCpu = found.isCpu;
+    entry.numericLimitation = found.numericLimitation;
     entry.problem = found.problem;
     list.push_back(entry);
   }

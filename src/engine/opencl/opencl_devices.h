@@ -13,6 +13,8 @@ struct OpenClDevice {
   std::string name;
   std::string platform;
   bool isCpu = false;
+  /// Engine::numericLimitation.
+  std::string numericLimitation;
   /// Why the engine cannot run on it; empty when it can.
   std::string problem;
 };

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "engine/devices.h"
+#include "engine/kernel_device.h"
 
 namespace haarlight {
 
 std::vector<DeviceDescription> listOpenClDevices();
 
-/// Builds the kernels and uploads the tables. Throws InputError for an unknown device.
-std::unique_ptr<Engine> makeOpenClEngine(const EngineOptions& options,
-                                         std::shared_ptr<const SphereTable> table);
+/// Builds the kernels for the device that the options name. Throws InputError for an unknown
+/// device.
+std::unique_ptr<KernelDevice> openOpenClDevice(const EngineOptions& options);
 
 }  // namespace haarlight

@@ -12,7 +12,7 @@ std::string openClAdvice() {
          "and build it again";
 }
 
-std::unique_ptr<Engine> makeOpenClEngine(const EngineOptions&, std::shared_ptr<const SphereTable>) {
+std::unique_ptr<KernelDevice> openOpenClDevice(const EngineOptions&) {
   throw InputError(openClAdvice());
 }
 

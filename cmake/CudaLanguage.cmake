@@ -1,0 +1,65 @@
+# Enables CUDA as the option HAARLIGHT_CUDA says. Sets haarlight_with_cuda and, where that is false,
+# haarlight_cuda_reason. With AUTO nothing that is missing, too old or broken stops the configuring.
+#
+# Kernels are compiled for every architecture that nvcc knows (CMake's own list of all of them has
+# some that nvcc has dropped) and kept as PTX of the newest for GPUs to come; set
+# CMAKE_CUDA_ARCHITECTURES for fewer.
+include(CheckLanguage)
+set(haarlight_with_cuda FALSE)
+set(haarlight_cuda_reason "switched off")
+
+# C++20 came with nvcc 12.
+function(haarlight_ask_nvcc)
+  execute_process(COMMAND ${CMAKE_CUDA_COMPILER} --version OUTPUT_VARIABLE version ERROR_QUIET)
+  execute_process(COMMAND ${CMAKE_CUDA_COMPILER} --list-gpu-code OUTPUT_VARIABLE codes ERROR_QUIET)
+  string(REGEX MATCH "release ([0-9]+)" release "${version}")
+  if(NOT release OR CMAKE_MATCH_1 LESS 12)
+    set(haarlight_cuda_reason "${CMAKE_CUDA_COMPILER} is not nvcc 12 or newer" PARENT_SCOPE)
+    return()
+  endif()
+  string(REGEX MATCHALL "sm_[0-9]+" codes "${codes}")
+  list(SORT codes COMPARE NATURAL)
+  list(TRANSFORM codes REPLACE "sm_" "")
+  list(GET codes -1 newest)
+  list(TRANSFORM codes APPEND "-real")
+  set(haarlight_cuda_architectures ${codes} ${newest}-virtual PARENT_SCOPE)
+  set(haarlight_cuda_reason "" PARENT_SCOPE)
+endfunction()
+
+if(NOT HAARLIGHT_CUDA STREQUAL OFF)
+  if(NOT CMAKE_CUDA_HOST_COMPILER)
+    set(CMAKE_CUDA_HOST_COMPILER ${CMAKE_CXX_COMPILER})
+  endif()
+  check_language(CUDA)
+  if(CMAKE_CUDA_COMPILER)
+    haarlight_ask_nvcc()
+  else()
+    set(haarlight_cuda_reason "no CUDA compiler works here")
+  endif()
+  if(NOT haarlight_cuda_reason)
+    if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+      set(CMAKE_CUDA_ARCHITECTURES ${haarlight_cuda_architectures}
+          CACHE STRING "GPUs to compile for")
+    endif()
+    enable_language(CUDA)
+    if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # CMake 3.25 does not know that nvcc 12 has it
+      set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
+    endif()
+    set(CMAKE_CUDA_STANDARD 20)
+    set(CMAKE_CUDA_EXTENSIONS OFF)
+    find_package(CUDAToolkit 12.0)
+    if(TARGET CUDA::cudart_static)
+      set(haarlight_with_cuda TRUE)
+    else()
+      set(haarlight_cuda_reason "the toolkit has no static CUDA runtime")
+    endif()
+  endif()
+endif()
+
+if(haarlight_with_cuda)
+  message(STATUS "haarlight: CUDA engine TRUE (nvcc ${CMAKE_CUDA_COMPILER_VERSION})")
+elseif(HAARLIGHT_CUDA STREQUAL ON)
+  message(FATAL_ERROR "HAARLIGHT_CUDA=ON, but ${haarlight_cuda_reason}")
+else()
+  message(STATUS "haarlight: CUDA engine FALSE (${haarlight_cuda_reason})")
+endif()

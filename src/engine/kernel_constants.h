@@ -1,0 +1,25 @@
+#pragma once
+
+/// The constants that kernels share with the host, by the names kernels know them by. OpenCL gets
+/// them as #defines before its source, CUDA as constexpr values.
+
+#include "engine/shading_tables.h"
+#include "haar/occlusion_transform.h"
+#include "visibility/sphere_bin.h"
+
+// clang-format off
+#define HAARLIGHT_KERNEL_CONSTANTS(CONSTANT)                \
+  CONSTANT(LANES, haarlight::partialSums)                              \
+  CONSTANT(FACES, haarlight::faceCount)                                \
+  CONSTANT(FACE_SIZE, haarlight::faceSize)                             \
+  CONSTANT(BIT_CUBE_ROWS, haarlight::bitCubeRows)                      \
+  CONSTANT(RADIUS_BINS, haarlight::radiusBins)                         \
+  CONSTANT(HORIZON_FACTOR, int(haarlight::horizonFactor))              \
+  CONSTANT(COARSE_COEFFICIENTS, haarlight::coarseCoefficientsPerFace)  \
+  CONSTANT(COARSE_MEANS, haarlight::coarseMeansPerFace)                \
+  CONSTANT(BLOCKS, haarlight::blockCount)                              \
+  CONSTANT(BLOCKS_PER_FACE, haarlight::blocksPerFace)                  \
+  CONSTANT(BLOCKS_PER_SIDE, haarlight::blocksPerSide)                  \
+  CONSTANT(BLOCK_TABLE_STRIDE, haarlight::blockTableStride)            \
+  CONSTANT(TERM_DETAILS, haarlight::termDetails)
+// clang-format on

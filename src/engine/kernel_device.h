@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace haarlight {
+
+/// Memory of a KernelDevice.
+class DeviceBuffer {
+ public:
+  virtual ~DeviceBuffer() = default;
+};
+
+/// What a kernel takes: a buffer, `uint` or `uint4`.
+using KernelArgument = std::variant<const DeviceBuffer*, std::uint32_t, glm::uvec4>;
+
+/// Seconds a command took on the device; to be called after a read() that followed the command.
+using CommandSeconds = std::function<double()>;
+
+/// How kernels share samples among work-items (opencl/lanes.cl, cuda/lanes.cu). No result depends
+/// on it.
+struct KernelShape {
+  /// Lanes a work-item carries: 1, or all 32 of a sample.
+  int lanesPerItem = 1;
+  /// Samples a work-group holds, 1 … maximumSamplesPerGroup.
+  int samplesPerGroup = 1;
+};
+
+/// 8 samples of 32 lanes are groups of 256 work-items (method.md §9).
+inline constexpr int maximumSamplesPerGroup = 8;
+
+/// The kernels of every device.
+inline constexpr std::array<std::string_view, 5> kernelNames{"sphereTableEntries", "mergeBitCubes",
+                                                             "mergeBitCubesExactly",
+                                                             "transformOcclusion", "tripleProduct"};
+
+/// What the kernel engine (kernel_engine.h) needs of a compute API: memory, copies and launches, in
+/// order. One implementation per API; the kernels of all of them have the same names, arguments and
+/// results.
+class KernelDevice {
+ public:
+  virtual ~KernelDevice() = default;
+
+  /// Name of the engine: "opencl", "cuda" or "cuda-host".
+  virtual std::string engineName() const = 0;
+  /// The device, in words.
+  virtual std::string name() const = 0;
+  /// Why its results may differ from the reference's in the last bits, in words; empty when nothing
+  /// is known that would (docs/numerics.md).
+  virtual std::string numericLimitation() const { return {}; }
+  /// Seconds spent on building the kernels.
+  virtual double buildSeconds() const { return 0; }
+  /// Receivers to work on at a time.
+  virtual std::size_t batchSize() const = 0;
+  virtual KernelShape shape() const = 0;
+  /// Bytes of local (CUDA: shared) memory that a work-group of a kernel takes; nothing where the
+  /// API does not say.
+  virtual std::optional<std::size_t> localBytes(std::string_view /*kernel*/) const {
+    return std::nullopt;
+  }
+
+  virtual std::unique_ptr<DeviceBuffer> allocate(std::size_t bytes) = 0;
+  /// Copies to the buffer, from `offset` bytes on. The data may be changed after the call.
+  virtual CommandSeconds write(DeviceBuffer& buffer, std::size_t offset,
+                               std::span<const std::byte> data) = 0;
+  /// Copies from the start of the buffer, after all earlier commands.
+  virtual CommandSeconds read(const DeviceBuffer& buffer, std::span<std::byte> data) = 0;
+  /// Runs a kernel on `groups` work-groups of the device's shape.
+  virtual CommandSeconds launch(std::string_view kernel, std::size_t groups,
+                                std::span<const KernelArgument> arguments) = 0;
+};
+
+}  // namespace haarlight
