@@ -10,5 +10,6 @@ void addDevicesCommand(CLI::App& app);
 void addFitCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
+void addVerifyCommand(CLI::App& app);
 
 }  // namespace haarlight

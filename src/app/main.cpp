@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   haarlight::addFitCommand(app);
   haarlight::addInfoCommand(app);
   haarlight::addDevicesCommand(app);
+  haarlight::addVerifyCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version

@@ -1,0 +1,134 @@
+#include "verify/comparison.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+namespace haarlight::verify {
+
+namespace {
+
+std::string nameOf(const ShadingSettings& settings) {
+  return std::to_string(settings.terms) + " terms, level " + (settings.levels == 1 ? "I" : "II");
+}
+
+float brightest(const ShadingTables& tables) {
+  float maximum = 0;
+  for (const glm::vec4& radiance : tables.unshadowed)
+    maximum = std::max({maximum, radiance.x, radiance.y, radiance.z});
+  return maximum;
+}
+
+}  // namespace
+
+SubjectComparison::SubjectComparison(Subject subject, const std::optional<Injection>& injection)
+    : engineName_(std::move(subject.engineName)),
+      device_(std::move(subject.device)),
+      shape_(std::move(subject.shape)),
+      visibility_(subject.visibility),
+      engine_(std::move(subject.engine)) {
+  if (!injection || injection->engine != engineName_) return;
+  auto faulty = std::make_unique<FaultyEngine>(std::move(engine_), injection->kind);
+  faulty_ = faulty.get();
+  faultKind_ = injection->kind;
+  engine_ = std::move(faulty);
+}
+
+Tally& SubjectComparison::tallyOf(Stage stage, const std::string& setting) {
+  const std::pair key(stage, setting);
+  for (auto& [labels, tally] : tallies_)
+    if (labels == key) return tally;
+  Row row;
+  row.stage = stage;
+  row.visibility = verify::nameOf(visibility_);
+  row.setting = setting;
+  row.engine = engineName_;
+  row.device = device_;
+  row.shape = shape_;
+  if (const std::string limitation = engine_->numericLimitation(); !limitation.empty())
+    row.tolerance = "the device has a limit: " + limitation +
+                    "; cases with denormal numbers are left out, radiance may differ by 1e-5";
+  tallies_.emplace_back(key, Tally(std::move(row)));
+  Tally& tally = tallies_.back().second;
+  if (faulty_) tally.keepPlaces();
+  return tally;
+}
+
+template <typename Action>
+auto SubjectComparison::timed(Tally& tally, const Action& action) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = action();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  tally.addSeconds(seconds.count());
+  return result;
+}
+
+void SubjectComparison::compare(const Question& question, const Answers& answers) {
+  const Case& value = question.value;
+  if (value.hasDenormals && !engine_->numericLimitation().empty()) return;
+  if (faulty_) faulty_->beginCase(value.name);
+
+  if (visibility_ == VisibilityKind::table) {
+    Tally& entries = tallyOf(Stage::tableEntries, "");
+    entries.compareEntries(value, answers.tableEntries, timed(entries, [&] {
+                             return engine_->sphereTableEntries(value.spheres, value.receivers);
+                           }));
+  }
+  Tally& cubes = tallyOf(Stage::bitCubes, "");
+  cubes.compareBitCubes(value, answers.bitCubes, timed(cubes, [&] {
+                          return engine_->mergeBitCubes(value.spheres, value.receivers);
+                        }));
+  Tally& haar = tallyOf(Stage::haar, "");
+  haar.compareOcclusion(value, answers.occlusion,
+                        timed(haar, [&] { return engine_->transformOcclusion(answers.bitCubes); }));
+  for (std::size_t i = 0; i < question.tables.size(); ++i) {
+    const ShadingTables& tables = question.tables[i];
+    Tally& sums = tallyOf(Stage::tripleProduct, nameOf(tables.settings));
+    engine_->setShading(tables);
+    sums.compareRadiance(
+        value, answers.radiance[i],
+        timed(sums,
+              [&] { return engine_->tripleProduct(answers.occlusion, value.receivers.lobes); }),
+        brightest(tables));
+  }
+  Tally& frame = tallyOf(Stage::frame, "");
+  const ShadingTables& tables = question.tables[question.frameTables];
+  engine_->setShading(tables);
+  frame.compareRadiance(
+      value, answers.frame,
+      timed(frame, [&] { return engine_->shade(value.spheres, value.receivers); }),
+      brightest(tables));
+}
+
+std::vector<Row> SubjectComparison::rows() const {
+  std::vector<Row> rows;
+  for (const auto& [labels, tally] : tallies_) rows.push_back(tally.finish());
+  return rows;
+}
+
+bool SubjectComparison::disagrees() const {
+  return std::ranges::any_of(tallies_,
+                             [](const auto& entry) { return entry.second.mismatches() > 0; });
+}
+
+bool SubjectComparison::failsOn(const Question& question, const Answers& answers) {
+  auto kept = std::exchange(tallies_, {});
+  compare(question, answers);
+  const bool fails = disagrees();
+  tallies_ = std::move(kept);
+  return fails;
+}
+
+FaultSummary SubjectComparison::faultSummary() const {
+  std::vector<InjectedFault> injected = faulty_->faults(), found, both;
+  for (const auto& [labels, tally] : tallies_)
+    found.insert(found.end(), tally.places().begin(), tally.places().end());
+  std::ranges::sort(injected);
+  std::ranges::sort(found);
+  std::ranges::set_intersection(injected, found, std::back_inserter(both));
+  return {verify::nameOf(faultKind_),  engineName_,     device_,     shape_,
+          verify::nameOf(visibility_), injected.size(), both.size(), found.size() - both.size()};
+}
+
+}  // namespace haarlight::verify

@@ -1,0 +1,67 @@
+#include "verify/expected.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+
+namespace haarlight::verify {
+
+namespace {
+
+constexpr std::size_t receiversPerTask = 64;
+
+ShadingTables tablesFor(const Case& value, const Setting& setting) {
+  ShadingSettings settings;
+  settings.terms = setting.terms;
+  settings.levels = setting.levels;
+  return buildShadingTables(value.light, settings, countLobes(value.receivers.lobes));
+}
+
+/// Copies a part's results to their place in the whole.
+template <typename Element>
+void place(std::vector<Element>& whole, std::size_t first, const std::vector<Element>& part) {
+  std::ranges::copy(part, whole.begin() + std::ptrdiff_t(first));
+}
+
+}  // namespace
+
+Question::Question(Case caseToAsk) : value(std::move(caseToAsk)) {
+  if (value.receivers.size() > mostReceiversForAllSettings) {
+    tables.push_back(tablesFor(value, Setting{}));
+    return;
+  }
+  for (const Setting& setting : allSettings) tables.push_back(tablesFor(value, setting));
+  // Frames of small cases take turns with the settings, so that all of them occur.
+  frameTables = (value.spheres.size() + value.receivers.size()) % tables.size();
+}
+
+Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereTable> table) {
+  const auto& [spheres, receivers] = std::tie(question.value.spheres, question.value.receivers);
+  const std::size_t count = receivers.size();
+  Answers answers;
+  if (table) answers.tableEntries.resize(count * spheres.size());
+  answers.bitCubes.resize(count);
+  answers.occlusion.resize(count);
+  answers.radiance.assign(question.tables.size(), std::vector<glm::vec4>(count));
+  answers.frame.resize(count);
+  parallelFor(count, receiversPerTask, [&](std::size_t begin, std::size_t end) {
+    const auto reference = makeReferenceEngine(table);
+    const ReceiverSpan part = ReceiverSpan(receivers).part(begin, end - begin);
+    if (table)
+      place(answers.tableEntries, begin * spheres.size(),
+            reference->sphereTableEntries(spheres, part));
+    const auto cubes = reference->mergeBitCubes(spheres, part);
+    const auto occlusion = reference->transformOcclusion(cubes);
+    place(answers.bitCubes, begin, cubes);
+    place(answers.occlusion, begin, occlusion);
+    for (std::size_t i = 0; i < question.tables.size(); ++i) {
+      reference->setShading(question.tables[i]);
+      place(answers.radiance[i], begin, reference->tripleProduct(occlusion, part.lobes));
+    }
+    reference->setShading(question.tables[question.frameTables]);
+    place(answers.frame, begin, reference->shade(spheres, part));
+  });
+  return answers;
+}
+
+}  // namespace haarlight::verify

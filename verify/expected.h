@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/engine.h"
+#include "verify/cases/case.h"
+#include "visibility/visibility_kind.h"
+
+namespace haarlight::verify {
+
+/// Terms and levels that sums are compared at.
+struct Setting {
+  int terms = 200;
+  int levels = 2;
+};
+inline constexpr std::array allSettings{Setting{50, 1},  Setting{50, 2},   Setting{200, 1},
+                                        Setting{200, 2}, Setting{6144, 1}, Setting{6144, 2}};
+
+/// Cases of more receivers are frames: compared at 200 terms and two levels only.
+inline constexpr std::size_t mostReceiversForAllSettings = 64;
+
+/// What every engine is handed for a case: the tables of each setting, built once on the host.
+struct Question {
+  Case value;
+  std::vector<ShadingTables> tables;
+
+  explicit Question(Case caseToAsk);
+
+  /// Which of `tables` the whole frame is rendered with.
+  std::size_t frameTables = 0;
+};
+
+/// The scalar reference's answers, stage by stage.
+struct Answers {
+  /// Only with the sphere table, else empty.
+  std::vector<std::uint32_t> tableEntries;
+  std::vector<BitCube> bitCubes;
+  std::vector<OcclusionHaar> occlusion;
+  /// By tables of the question.
+  std::vector<std::vector<glm::vec4>> radiance;
+  std::vector<glm::vec4> frame;
+};
+
+/// Asks the reference, on all threads. Without a table visibility is exact.
+Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereTable> table);
+
+}  // namespace haarlight::verify
