@@ -10,6 +10,10 @@ namespace {
 
 constexpr std::size_t receiversPerTask = 64;
 
+/// Cases of more receivers are frames.
+constexpr std::size_t mostReceiversForAllSettings = 64;
+constexpr Setting frameSetting{200, 2};
+
 ShadingTables tablesFor(const Case& value, const Setting& setting) {
   ShadingSettings settings;
   settings.terms = setting.terms;
@@ -25,14 +29,17 @@ void place(std::vector<Element>& whole, std::size_t first, const std::vector<Ele
 
 }  // namespace
 
-Question::Question(Case caseToAsk) : value(std::move(caseToAsk)) {
-  if (value.receivers.size() > mostReceiversForAllSettings) {
-    tables.push_back(tablesFor(value, Setting{}));
-    return;
-  }
-  for (const Setting& setting : allSettings) tables.push_back(tablesFor(value, setting));
-  // Frames of small cases take turns with the settings, so that all of them occur.
-  frameTables = (value.spheres.size() + value.receivers.size()) % tables.size();
+Question::Question(Case caseToAsk, std::span<const Setting> settings)
+    : value(std::move(caseToAsk)) {
+  for (const Setting& setting : settings) tables.push_back(tablesFor(value, setting));
+  frameTables = value.spheres.size() % tables.size();
+}
+
+std::span<const Setting> settingsFor(const Case& value, std::size_t index, bool asksAll) {
+  if (value.receivers.size() > mostReceiversForAllSettings) return std::span(&frameSetting, 1);
+  if (asksAll) return allSettings;
+  constexpr std::size_t levels = 2;
+  return std::span(allSettings).subspan(index * levels % allSettings.size(), levels);
 }
 
 Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereTable> table) {

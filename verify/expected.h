@@ -19,19 +19,19 @@ struct Setting {
 inline constexpr std::array allSettings{Setting{50, 1},  Setting{50, 2},   Setting{200, 1},
                                         Setting{200, 2}, Setting{6144, 1}, Setting{6144, 2}};
 
-/// Cases of more receivers are frames: compared at 200 terms and two levels only.
-inline constexpr std::size_t mostReceiversForAllSettings = 64;
-
 /// What every engine is handed for a case: the tables of each setting, built once on the host.
 struct Question {
   Case value;
   std::vector<ShadingTables> tables;
-
-  explicit Question(Case caseToAsk);
-
   /// Which of `tables` the whole frame is rendered with.
   std::size_t frameTables = 0;
+
+  Question(Case caseToAsk, std::span<const Setting> settings);
 };
+
+/// The settings that question `index` of a run is asked with: all of them when `asksAll`; 200 terms
+/// and two levels for frames of many receivers; else two levels of one number of terms, in turn.
+std::span<const Setting> settingsFor(const Case& value, std::size_t index, bool asksAll);
 
 /// The scalar reference's answers, stage by stage.
 struct Answers {

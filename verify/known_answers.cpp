@@ -3,7 +3,9 @@
 #include <bit>
 #include <chrono>
 
+#include "base/file.h"
 #include "engine/engine.h"
+#include "material/cosine_lobe.h"
 #include "verify/cases/known_cases.h"
 #include "verify/subjects.h"
 #include "verify/tally.h"
@@ -12,11 +14,27 @@ namespace haarlight::verify {
 
 namespace {
 
+/// Checksum of some lobes as the C library of the known answers prepares them.
+constexpr std::uint64_t knownLobesChecksum = 0x58693723cdbeae5b;
+
+std::uint64_t lobesChecksum() {
+  constexpr int everyHundredth = 100;
+  std::vector<float> coefficients;
+  for (int lobe = 0; lobe < lobeCount; lobe += everyHundredth)
+    for (const HaarFace<float>& face : lobeHaar(lobe))
+      coefficients.insert(coefficients.end(), face.coefficients.begin(), face.coefficients.end());
+  return checksum({reinterpret_cast<const std::uint8_t*>(coefficients.data()),
+                   coefficients.size() * sizeof(float)});
+}
+
 /// The rows for one kind of visibility.
 class ReferenceRows {
  public:
-  ReferenceRows(VisibilityKind visibility, std::shared_ptr<const SphereTable> table)
+  /// `knowsRadiance`: whether the known radiances hold with this machine's lobes.
+  ReferenceRows(VisibilityKind visibility, std::shared_ptr<const SphereTable> table,
+                bool knowsRadiance)
       : visibility_(visibility),
+        knowsRadiance_(knowsRadiance),
         reference_(makeReferenceEngine(visibility == VisibilityKind::table ? table : nullptr)) {}
 
   void compare(const KnownCase& known) {
@@ -34,12 +52,12 @@ class ReferenceRows {
                                hashOf(reference_->transformOcclusion(cubes)));
     }
     for (const KnownRadiance& radiance : known.radiance)
-      if (radiance.visibility == visibility_) compareFrame(question, radiance);
+      if (knowsRadiance_ && radiance.visibility == visibility_) compareFrame(question, radiance);
   }
 
   void finishInto(std::vector<Row>& rows) const {
     for (const Tally* tally : {&entries_, &cubes_, &haar_, &frames_})
-      if (const Row row = tally->finish(); row.compared > 0) rows.push_back(row);
+      if (const Row row = tally->finish(); row.compared > 0 || row.skipped()) rows.push_back(row);
   }
 
  private:
@@ -60,10 +78,15 @@ class ReferenceRows {
     row.setting = "known answers";
     row.engine = reference_->name();
     row.device = reference_->deviceName();
+    if (stage == Stage::frame && !knowsRadiance_)
+      row.skipReason =
+          "the C library of this machine prepares lobes with other last digits than "
+          "the one the known radiances come from";
     return Tally(row);
   }
 
   VisibilityKind visibility_;
+  bool knowsRadiance_;
   std::unique_ptr<Engine> reference_;
   Tally entries_ = tallyOf(Stage::tableEntries), cubes_ = tallyOf(Stage::bitCubes),
         haar_ = tallyOf(Stage::haar), frames_ = tallyOf(Stage::frame);
@@ -73,9 +96,10 @@ class ReferenceRows {
 
 std::vector<Row> compareReferenceWithKnownAnswers(std::shared_ptr<const SphereTable> table) {
   const std::vector<KnownCase> cases = knownCases();
+  const bool knowsRadiance = lobesChecksum() == knownLobesChecksum;
   std::vector<Row> rows;
   for (const VisibilityKind visibility : {VisibilityKind::exact, VisibilityKind::table}) {
-    ReferenceRows reference(visibility, table);
+    ReferenceRows reference(visibility, table, knowsRadiance);
     for (const KnownCase& known : cases) reference.compare(known);
     reference.finishInto(rows);
   }

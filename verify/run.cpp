@@ -25,6 +25,8 @@ class Questions {
   }
 
   std::size_t knownCount() const { return knownCount_; }
+  /// Known and further cases, which come before the random ones.
+  std::size_t fixedCount() const { return cases_.size(); }
   std::size_t count() const { return cases_.size() + options_.randomCases; }
   Case at(std::size_t index) const {
     return index < cases_.size() ? cases_[index] : randomCase(options_.seed, index - cases_.size());
@@ -85,7 +87,8 @@ class Run {
 
   void compareAll(const Case& value, std::size_t index) {
     report("comparing", double(index) / double(questions_.count()));
-    const Question question(value);
+    const auto settings = settingsFor(value, index, index < questions_.fixedCount());
+    const Question question(value, settings);
     for (const VisibilityKind visibility : {VisibilityKind::exact, VisibilityKind::table}) {
       const Answers answers =
           referenceAnswers(question, visibility == VisibilityKind::table ? table_ : nullptr);
@@ -93,7 +96,8 @@ class Run {
         if (comparison.visibility() != visibility) continue;
         const bool agreed = !comparison.disagrees();
         comparison.compare(question, answers);
-        if (agreed && comparison.disagrees() && !failing_) failing_ = {value, &comparison};
+        if (agreed && comparison.disagrees() && !failing_)
+          failing_ = {value, &comparison, settings};
       }
     }
   }
@@ -109,7 +113,7 @@ class Run {
     SubjectComparison& comparison = *failing_->comparison;
     const auto table = comparison.visibility() == VisibilityKind::table ? table_ : nullptr;
     return shrunk(failing_->value, [&](const Case& part) {
-      const Question question(part);
+      const Question question(part, failing_->settings);
       return comparison.failsOn(question, referenceAnswers(question, table));
     });
   }
@@ -117,6 +121,7 @@ class Run {
   struct Failure {
     Case value;
     SubjectComparison* comparison;
+    std::span<const Setting> settings;
   };
 
   const RunOptions& options_;

@@ -69,9 +69,8 @@ class KernelDevice {
   }
 
   virtual std::unique_ptr<DeviceBuffer> allocate(std::size_t bytes) = 0;
-  /// Copies to the buffer, from `offset` bytes on. The data may be changed after the call.
-  virtual CommandSeconds write(DeviceBuffer& buffer, std::size_t offset,
-                               std::span<const std::byte> data) = 0;
+  /// Copies to the start of the buffer. The data may be changed after the call.
+  virtual CommandSeconds write(DeviceBuffer& buffer, std::span<const std::byte> data) = 0;
   /// Copies from the start of the buffer, after all earlier commands.
   virtual CommandSeconds read(const DeviceBuffer& buffer, std::span<std::byte> data) = 0;
   /// Runs a kernel on `groups` work-groups of the device's shape.

@@ -17,11 +17,14 @@ std::size_t roundedUp(std::size_t count, std::size_t multiple) {
   return (count + multiple - 1) / multiple * multiple;
 }
 
+/// So that small frames need not grow theirs.
+constexpr std::size_t smallestBuffer = 64 << 10;
+
 /// Device memory that grows to what is asked of it and is kept. `allocated` is the sum over all.
 class GrowingBuffer {
  public:
   DeviceBuffer& atLeast(KernelDevice& device, std::size_t bytes, std::uint64_t& allocated) {
-    bytes = std::max<std::size_t>(bytes, 16);
+    bytes = std::max(bytes, smallestBuffer);
     if (bytes > size_) {
       buffer_.reset();
       buffer_ = device.allocate(bytes);
@@ -140,20 +143,18 @@ DeviceUse KernelEngine::deviceUse() const {
 
 template <typename Element>
 CommandSeconds KernelEngine::upload(GrowingBuffer& buffer, std::span<const Element> data) {
-  return device_->write(room(buffer, data.size_bytes()), 0, std::as_bytes(data));
+  return device_->write(room(buffer, data.size_bytes()), std::as_bytes(data));
 }
 
 /// Uploads one element per sample. Work-groups are full, so the last group's missing samples are
 /// zeros, and nobody reads their results.
 template <typename Element>
 CommandSeconds KernelEngine::uploadSamples(GrowingBuffer& buffer, std::span<const Element> data) {
-  const std::size_t missing = roundedUp(data.size(), samplesPerGroup_) - data.size();
-  DeviceBuffer& samples = room(buffer, (data.size() + missing) * sizeof(Element));
-  if (missing > 0) {
-    const std::vector<Element> zeros(missing);
-    device_->write(samples, data.size_bytes(), std::as_bytes(std::span(zeros)));
-  }
-  return device_->write(samples, 0, std::as_bytes(data));
+  const std::size_t count = roundedUp(data.size(), samplesPerGroup_);
+  if (count == data.size()) return upload(buffer, data);
+  std::vector<Element> padded(count);
+  std::ranges::copy(data, padded.begin());
+  return upload(buffer, std::span<const Element>(padded));
 }
 
 template <typename Element>

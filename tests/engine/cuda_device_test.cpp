@@ -40,18 +40,16 @@ EngineOptions inShape(int lanesPerItem, int samplesPerGroup) {
 TEST_CASE("cuda-host: memory keeps what is written to it, and starts as NaN") {
   HostDevice host;
   const std::array<std::uint32_t, 2> written{7, 8};
-  host.device->write(*host.buffer, 4, std::as_bytes(std::span(written)));
+  host.device->write(*host.buffer, std::as_bytes(std::span(written)));
   std::array<std::uint32_t, 4> found{};
   CHECK(host.device->read(*host.buffer, std::as_writable_bytes(std::span(found)))() >= 0);
-  CHECK(found == std::array<std::uint32_t, 4>{0xffffffff, 7, 8, 0xffffffff});
+  CHECK(found == std::array<std::uint32_t, 4>{7, 8, 0xffffffff, 0xffffffff});
 }
 
 TEST_CASE("cuda-host: copies beyond a buffer are faults of the program") {
   HostDevice host;
   std::array<std::byte, 65> bytes{};
-  CHECK_THROWS_AS(host.device->write(*host.buffer, 0, bytes), std::logic_error);
-  CHECK_THROWS_AS(host.device->write(*host.buffer, 60, std::span(bytes).first(5)),
-                  std::logic_error);
+  CHECK_THROWS_AS(host.device->write(*host.buffer, bytes), std::logic_error);
   CHECK_THROWS_AS(host.device->read(*host.buffer, bytes), std::logic_error);
 }
 

@@ -1,8 +1,9 @@
+#include "engine/self_test.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "engine/self_test.h"
 #include "test_scenes.h"
 
 using namespace haarlight;

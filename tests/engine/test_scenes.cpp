@@ -85,15 +85,17 @@ std::unique_ptr<Engine> referenceEngine(VisibilityKind visibility) {
   return makeReferenceEngine(tableFor(visibility));
 }
 
+bool haveDevice(const std::string& engine) {
+  const bool found = std::ranges::any_of(listDevices(), [&](const DeviceDescription& d) {
+    return d.engine == engine && d.problem.empty();
+  });
+  if (!found) std::printf("SKIPPED: no device for the engine %s\n", engine.c_str());
+  return found;
+}
+
 std::unique_ptr<Engine> testEngine(const std::string& name, VisibilityKind visibility,
                                    const KernelShape& shape) {
-  const auto devices = listDevices();
-  const bool found = std::ranges::any_of(
-      devices, [&](const DeviceDescription& d) { return d.engine == name && d.problem.empty(); });
-  if (!found) {
-    std::printf("SKIPPED: no device for the engine %s\n", name.c_str());
-    return nullptr;
-  }
+  if (!haveDevice(name)) return nullptr;
   EngineOptions options;
   options.engine = name;
   options.lanesPerItem = shape.lanesPerItem;

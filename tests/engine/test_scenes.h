@@ -28,6 +28,9 @@ std::shared_ptr<const SphereTable> sharedSphereTable();
 
 std::unique_ptr<Engine> referenceEngine(VisibilityKind visibility = VisibilityKind::exact);
 
+/// Whether the engine has a device here; else a line "SKIPPED: …" has been printed.
+bool haveDevice(const std::string& engine);
+
 /// An engine in a shape (0: what suits the device); null, after a line "SKIPPED: …", when it has no
 /// device here.
 std::unique_ptr<Engine> testEngine(const std::string& name,

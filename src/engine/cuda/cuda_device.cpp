@@ -60,13 +60,12 @@ class CudaDevice final : public KernelDevice {
     return std::make_unique<GpuBuffer>(bytes);
   }
 
-  CommandSeconds write(DeviceBuffer& buffer, std::size_t offset,
-                       std::span<const std::byte> data) override {
-    return timed([&] { copy(memoryOf(buffer, offset, data.size()), data.data(), data.size()); });
+  CommandSeconds write(DeviceBuffer& buffer, std::span<const std::byte> data) override {
+    return timed([&] { copy(memoryOf(buffer, data.size()), data.data(), data.size()); });
   }
 
   CommandSeconds read(const DeviceBuffer& buffer, std::span<std::byte> data) override {
-    return timed([&] { copy(data.data(), memoryOf(buffer, 0, data.size()), data.size()); });
+    return timed([&] { copy(data.data(), memoryOf(buffer, data.size()), data.size()); });
   }
 
   CommandSeconds launch(std::string_view kernelName, std::size_t groups,

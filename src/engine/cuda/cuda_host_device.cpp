@@ -44,16 +44,15 @@ class CudaHostDevice final : public KernelDevice {
     return std::make_unique<HostBuffer>(bytes);
   }
 
-  CommandSeconds write(DeviceBuffer& buffer, std::size_t offset,
-                       std::span<const std::byte> data) override {
+  CommandSeconds write(DeviceBuffer& buffer, std::span<const std::byte> data) override {
     const auto start = Clock::now();
-    std::ranges::copy(data, memoryOf(buffer, offset, data.size()));
+    std::ranges::copy(data, memoryOf(buffer, data.size()));
     return secondsSince(start);
   }
 
   CommandSeconds read(const DeviceBuffer& buffer, std::span<std::byte> data) override {
     const auto start = Clock::now();
-    std::copy_n(memoryOf(buffer, 0, data.size()), data.size(), data.data());
+    std::copy_n(memoryOf(buffer, data.size()), data.size(), data.data());
     return secondsSince(start);
   }
 

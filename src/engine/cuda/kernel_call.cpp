@@ -26,13 +26,12 @@ void checkArguments(const KernelSignature& signature, std::span<const KernelArgu
 
 }  // namespace
 
-std::byte* memoryOf(const DeviceBuffer& buffer, std::size_t offset, std::size_t count) {
+std::byte* memoryOf(const DeviceBuffer& buffer, std::size_t count) {
   const auto& cudaBuffer = static_cast<const CudaBuffer&>(buffer);
-  if (offset > cudaBuffer.bytes || count > cudaBuffer.bytes - offset)
-    throw std::logic_error("a copy of " + std::to_string(count) + " bytes at " +
-                           std::to_string(offset) + " leaves a buffer of " +
+  if (count > cudaBuffer.bytes)
+    throw std::logic_error("a copy of " + std::to_string(count) + " bytes leaves a buffer of " +
                            std::to_string(cudaBuffer.bytes));
-  return static_cast<std::byte*>(cudaBuffer.memory) + offset;
+  return static_cast<std::byte*>(cudaBuffer.memory);
 }
 
 KernelCall::KernelCall(const KernelSignature& signature,

@@ -17,9 +17,8 @@ struct CudaBuffer : DeviceBuffer {
   std::size_t bytes = 0;
 };
 
-/// Memory from `offset` on for `count` bytes. Throws std::logic_error when it ends beyond the
-/// buffer.
-std::byte* memoryOf(const DeviceBuffer& buffer, std::size_t offset, std::size_t count);
+/// Memory for `count` bytes. Throws std::logic_error when the buffer is smaller.
+std::byte* memoryOf(const DeviceBuffer& buffer, std::size_t count);
 
 /// What a parameter of a kernel takes, as the alternatives of KernelArgument.
 enum class ParameterKind { buffer, number, fourNumbers };

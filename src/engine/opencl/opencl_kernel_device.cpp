@@ -74,13 +74,12 @@ class OpenClKernelDevice final : public KernelDevice {
     });
   }
 
-  CommandSeconds write(DeviceBuffer& buffer, std::size_t offset,
-                       std::span<const std::byte> data) override {
+  CommandSeconds write(DeviceBuffer& buffer, std::span<const std::byte> data) override {
     if (data.empty()) return [] { return 0.0; };
     return inWords([&] {
       cl::Event event;
-      queue_.enqueueWriteBuffer(memoryOf(buffer), CL_TRUE, offset, data.size(), data.data(),
-                                nullptr, &event);
+      queue_.enqueueWriteBuffer(memoryOf(buffer), CL_TRUE, 0, data.size(), data.data(), nullptr,
+                                &event);
       return secondsOf(event);
     });
   }

@@ -1,0 +1,57 @@
+#include <doctest/doctest.h>
+
+#include <cstring>
+
+#include "test_scenes.h"
+
+using namespace haarlight;
+using namespace haarlight::test;
+
+namespace {
+
+/// Three receivers, so that a group of four is not full, and more spheres than there are lanes.
+TestScene smallScene() {
+  TestScene scene = randomScene(1, 3);
+  while (scene.spheres.size() < 34) scene.spheres.push_back(scene.spheres.back());
+  scene.spheres.resize(34);
+  return scene;
+}
+
+void checkEveryKernel(VisibilityKind visibility, const KernelShape& shape) {
+  EngineOptions options;
+  options.engine = "opencl";
+  options.lanesPerItem = shape.lanesPerItem;
+  options.samplesPerGroup = shape.samplesPerGroup;
+  options.selfTest = false;
+  const auto engine =
+      makeEngine(options, visibility == VisibilityKind::table ? sharedSphereTable() : nullptr);
+  const auto reference = referenceEngine(visibility);
+  const TestScene scene = smallScene();
+  CHECK(engine->sphereTableEntries(scene.spheres, scene.receivers) ==
+        reference->sphereTableEntries(scene.spheres, scene.receivers));
+  for (const int levels : {1, 2}) {
+    const ShadingTables tables = tablesFor(scene, 50, levels);
+    engine->setShading(tables);
+    reference->setShading(tables);
+    const auto expected = reference->shade(scene.spheres, scene.receivers);
+    const auto radiance = engine->shade(scene.spheres, scene.receivers);
+    CHECK(std::memcmp(radiance.data(), expected.data(), expected.size() * sizeof expected[0]) == 0);
+  }
+}
+
+void checkEveryKernel(std::initializer_list<KernelShape> shapes) {
+  if (!haveDevice("opencl")) return;
+  for (const auto visibility : {VisibilityKind::exact, VisibilityKind::table})
+    for (const KernelShape& shape : shapes) checkEveryKernel(visibility, shape);
+}
+
+}  // namespace
+
+// oclgrind, which looks at every access of every work-item, runs these cases too (CMakeLists.txt).
+TEST_CASE("every OpenCL kernel on a small scene") {
+  checkEveryKernel({{1, 1}, {32, 1}});
+}
+
+TEST_CASE("every OpenCL kernel on a small scene, four samples a group") {
+  checkEveryKernel({{1, 4}});
+}
