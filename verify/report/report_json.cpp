@@ -98,8 +98,7 @@ void writeRun(JsonWriter& json, const Report& report) {
 
 }  // namespace
 
-std::string jsonReport(const Report& report) {
-  JsonWriter json;
+void writeReport(JsonWriter& json, const Report& report) {
   json.beginObject();
   writeRun(json, report);
   json.key("rows").beginArray();
@@ -109,6 +108,11 @@ std::string jsonReport(const Report& report) {
   json.end().key("injected").beginArray();
   for (const FaultSummary& faults : report.faults) writeFaults(json, faults);
   json.end().end();
+}
+
+std::string jsonReport(const Report& report) {
+  JsonWriter json;
+  writeReport(json, report);
   return json.text();
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "verify/report/json_writer.h"
 #include "verify/report/report.h"
 
 namespace haarlight::verify {
@@ -12,6 +13,8 @@ std::string textReport(const Report& report, bool colored);
 
 /// One JSON object; docs/verification.schema.json describes it.
 std::string jsonReport(const Report& report);
+/// The same object as a part of a longer text.
+void writeReport(JsonWriter& json, const Report& report);
 
 /// JUnit XML: one test case per row, skipped and failed ones marked.
 std::string junitReport(const Report& report);
