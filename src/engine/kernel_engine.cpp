@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "engine/growing_buffer.h"
+
 namespace haarlight {
 
 namespace {
@@ -16,30 +18,6 @@ double secondsSince(Clock::time_point start) {
 std::size_t roundedUp(std::size_t count, std::size_t multiple) {
   return (count + multiple - 1) / multiple * multiple;
 }
-
-/// So that small frames need not grow theirs.
-constexpr std::size_t smallestBuffer = 64 << 10;
-
-/// Device memory that grows to what is asked of it and is kept. `allocated` is the sum over all.
-class GrowingBuffer {
- public:
-  DeviceBuffer& atLeast(KernelDevice& device, std::size_t bytes, std::uint64_t& allocated) {
-    bytes = std::max(bytes, smallestBuffer);
-    if (bytes > size_) {
-      buffer_.reset();
-      buffer_ = device.allocate(bytes);
-      allocated += bytes - size_;
-      size_ = bytes;
-    }
-    return *buffer_;
-  }
-  operator KernelArgument() const { return buffer_.get(); }
-  const DeviceBuffer& get() const { return *buffer_; }
-
- private:
-  std::unique_ptr<DeviceBuffer> buffer_;
-  std::size_t size_ = 0;
-};
 
 /// Tables of one light on the device.
 struct DeviceTables {
