@@ -56,12 +56,7 @@ void addFitCommand(CLI::App& app) {
   command->add_option("--spheres", options->spheres, "How many spheres")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
-  const CLI::Validator withoutSign(
-      [](const std::string& text) { return text.starts_with('-') ? "must not be negative" : ""; },
-      "");
-  command->add_option("--seed", options->seed, "Seed of the random numbers")
-      ->check(withoutSign)
-      ->capture_default_str();
+  addSeedOption(*command, options->seed, "Seed of the random numbers");
   addGeneralOptions(*command, options->general);
   command->callback([options] { fit(*options); });
 }

@@ -84,6 +84,13 @@ void addGeneralOptions(CLI::App& command, GeneralOptions& options) {
       ->capture_default_str();
 }
 
+CLI::Option* addSeedOption(CLI::App& command, std::uint64_t& seed, const std::string& help) {
+  const CLI::Validator withoutSign(
+      [](const std::string& text) { return text.starts_with('-') ? "must not be negative" : ""; },
+      "");
+  return command.add_option("--seed", seed, help)->check(withoutSign)->capture_default_str();
+}
+
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
   const CLI::Validator notEmpty(
       [](const std::string& value) { return value.empty() ? "takes no empty text" : ""; }, "");

@@ -21,6 +21,9 @@ struct GeneralOptions {
 
 void addGeneralOptions(CLI::App& command, GeneralOptions& options);
 
+/// --seed; CLI11 would take −1 for 2⁶⁴ − 1.
+CLI::Option* addSeedOption(CLI::App& command, std::uint64_t& seed, const std::string& help);
+
 /// A scene from a file or from a mesh, and what the command line changes about it.
 struct SceneOptions {
   std::string scene;

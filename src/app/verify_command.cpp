@@ -98,18 +98,22 @@ void verifyEngines(const VerifyOptions& options) {
 }
 
 void addCaseOptions(CLI::App& command, VerifyOptions& options) {
-  command.add_option("--cases", options.cases, "Random cases")
-      ->group("Cases")
-      ->check(CLI::Range(0, 1000000))
-      ->capture_default_str();
-  command.add_option("--seed", options.seed, "Seed of the random cases")
-      ->group("Cases")
-      ->capture_default_str();
-  command.add_flag("--without-scenes", options.withoutScenes, "No frames of the built-in scenes")
-      ->group("Cases");
+  CLI::Option* cases = command.add_option("--cases", options.cases, "Random cases")
+                           ->group("Cases")
+                           ->check(CLI::Range(0, 1000000))
+                           ->capture_default_str();
+  CLI::Option* seed =
+      addSeedOption(command, options.seed, "Seed of the random cases")->group("Cases");
+  CLI::Option* withoutScenes =
+      command
+          .add_flag("--without-scenes", options.withoutScenes, "No frames of the built-in scenes")
+          ->group("Cases");
   command.add_option("--replay", options.replay, "Only the case in this file")
       ->group("Cases")
-      ->check(CLI::ExistingFile);
+      ->check(CLI::ExistingFile)
+      ->excludes(cases)
+      ->excludes(seed)
+      ->excludes(withoutScenes);
   command
       .add_option("--save-case", options.saveCase,
                   "Where to write the smallest failing case (.case)")

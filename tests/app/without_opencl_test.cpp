@@ -26,7 +26,8 @@ TEST_CASE("without OpenCL, devices says what to install") {
   CHECK_FALSE(contains(outcome.output, "engine: opencl\n"));
   CHECK(outcome.errors.starts_with("haarlight: warning: "));
   CHECK(contains(outcome.errors, "install"));
-  for (const auto& device : resultsOf({"devices"}, withoutDrivers(noDrivers)).at("device")) {
+  const auto results = resultsOf({"devices"}, withoutDrivers(noDrivers));
+  for (const auto& device : results.at("device")) {
     CHECK(device.at("engine") != "opencl");
     if (device.at("engine") != "cuda") continue;
     CHECK(device.at("usable") == false);
