@@ -54,9 +54,19 @@ Viewpoint viewpoint(const Receivers& receivers, int index) {
   return {receivers.positions[std::size_t(index)], receivers.normals[std::size_t(index)]};
 }
 
-Sphere randomSphere(PortableRandom& random, const Case& before, bool denormals) {
+enum class CaseKind { any, denormals, bounds };
+
+/// Of every eight cases one has spheres at denormal distances, and one nothing but small spheres on
+/// bounds, which do not hide one another as others do.
+CaseKind kindOf(std::size_t index) {
+  return index % 8 == 7 ? CaseKind::denormals : index % 8 == 5 ? CaseKind::bounds : CaseKind::any;
+}
+
+Sphere randomSphere(PortableRandom& random, const Case& before, CaseKind kind) {
   const int count = int(before.spheres.size());
-  if (denormals && (count == 0 || random.below(4) == 0)) return denormalSphere(random);
+  if (kind == CaseKind::bounds) return smallSphereOnBound(random, before.receivers.normals[0]);
+  if (kind == CaseKind::denormals && (count == 0 || random.below(4) == 0))
+    return denormalSphere(random);
   if (count > 0 && random.below(12) == 0) return before.spheres[std::size_t(random.below(count))];
   if (random.below(3) == 0)
     return alignedSphere(random, viewpoint(before.receivers, random.below(gridReceiverCount)));
@@ -85,13 +95,13 @@ int PortableRandom::below(int count) {
 Case randomCase(std::uint64_t seed, std::size_t index) {
   // Hashed, since the generator's states for neighbouring cases would follow one another.
   PortableRandom random(PortableRandom(seed).next() ^ PortableRandom(~index).next());
-  const bool denormals = index % 8 == 7;
+  const CaseKind kind = kindOf(index);
   Case result;
   result.name = "random " + std::to_string(index);
-  result.receivers = randomReceivers(random, denormals || random.below(2));
+  result.receivers = randomReceivers(random, kind != CaseKind::any || random.below(2));
   const int count = randomSphereCount(random);
   while (int(result.spheres.size()) < count)
-    result.spheres.push_back(randomSphere(random, result, denormals));
+    result.spheres.push_back(randomSphere(random, result, kind));
   result.light = randomLight(random.next());
   result.hasDenormals = involvesDenormals(result.spheres, result.receivers);
   return result;

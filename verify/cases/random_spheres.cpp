@@ -181,6 +181,27 @@ Sphere sphereNearBinBound(PortableRandom& random, const Viewpoint& view) {
   return {center, nudged(std::sqrt(bound) * lengthOf(center - view.position), random)};
 }
 
+double lengthSquared(const glm::dvec3& v) {
+  return (v.x * v.x + v.y * v.y) + v.z * v.z;
+}
+
+Sphere smallSphereWithExactRim(PortableRandom& random, const glm::vec3& normal) {
+  glm::dvec3 texel = texelDirection(random.below(texelCount));
+  if (dot(glm::vec3(texel), normal) < 0) texel = -texel;  // the centre of a texel too
+  const float distance = random.uniform(0.5f, 4);
+  const glm::vec3 aside = 0.1f * randomDirection(random);
+  const glm::dvec3 center(distance * (glm::vec3(texel) + aside));
+  const double along = (center.x * texel.x + center.y * texel.y) + center.z * texel.z;
+  const double radiusSquared = lengthSquared(center) - along * along;
+  return {center, float(std::sqrt(std::max(radiusSquared, 1e-8)))};
+}
+
+Sphere smallSphereOnExactBinBound(PortableRandom& random) {
+  const glm::dvec3 center(everydayVector(random));
+  const double bound = radiusBinBound(1 + random.below(8));
+  return {center, float(std::sqrt(bound * lengthSquared(center)))};
+}
+
 constexpr SphereMaker anyMakers[] = {
     ordinarySphere,     ordinarySphere, ordinarySphere,       tinySphere,
     grazingSphere,      hugeSphere,     sphereOnTangentPlane, sphereBelowHorizon,
@@ -214,6 +235,11 @@ Sphere anySphere(PortableRandom& random, const Viewpoint& view) {
 
 Sphere alignedSphere(PortableRandom& random, const Viewpoint& view) {
   return alignedMakers[random.below(std::size(alignedMakers))](random, view);
+}
+
+Sphere smallSphereOnBound(PortableRandom& random, const glm::vec3& normal) {
+  return random.below(2) ? smallSphereWithExactRim(random, normal)
+                         : smallSphereOnExactBinBound(random);
 }
 
 Sphere denormalSphere(PortableRandom& random) {

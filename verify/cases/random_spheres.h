@@ -22,6 +22,11 @@ Sphere anySphere(PortableRandom& random, const Viewpoint& view);
 /// the position's coordinates are multiples of 1/64 and at most 4.
 Sphere alignedSphere(PortableRandom& random, const Viewpoint& view);
 
+/// A small sphere for a viewpoint at the origin, with its rim through the centre of a texel or its
+/// radius on the bound of a radius bin as nearly as float32 numbers can say: an operation that is
+/// rounded otherwise often turns a bit.
+Sphere smallSphereOnBound(PortableRandom& random, const glm::vec3& normal);
+
 /// A sphere at a distance of 10⁻⁴⁰ … 10⁻¹⁸, or with such a radius, for a viewpoint at the origin.
 Sphere denormalSphere(PortableRandom& random);
 
