@@ -54,6 +54,13 @@ class CudaDevice final : public KernelDevice {
   std::string name() const override { return device_.name; }
   std::size_t batchSize() const override { return 32768; }
   KernelShape shape() const override { return shape_; }
+  std::optional<std::size_t> localBytes(std::string_view kernelName) const override {
+    makeCurrent();
+    cudaFuncAttributes attributes{};
+    HAARLIGHT_CUDA_CALL(cudaFuncGetAttributes, &attributes,
+                        findKernel(cudaKernels(), kernelName).function);
+    return attributes.sharedSizeBytes;
+  }
 
   std::unique_ptr<DeviceBuffer> allocate(std::size_t bytes) override {
     makeCurrent();
