@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "engine/devices.h"
 #include "engine/self_test.h"
+#include "verify/report/format.h"
 
 namespace haarlight::verify {
 
@@ -25,19 +26,14 @@ std::vector<Shape> shapesOf(const DeviceDescription& device) {
 }
 
 std::string nameOf(const Shape& shape) {
-  const auto counted = [](int count, const char* noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-  };
-  return counted(shape.lanesPerItem, "lane") + " an item, " +
-         counted(shape.samplesPerGroup, "sample") + " a group";
+  return countText(std::uint64_t(shape.lanesPerItem), "lane") + " an item, " +
+         countText(std::uint64_t(shape.samplesPerGroup), "sample") + " a group";
 }
 
 /// Opens one subject; a failure becomes a note.
 void open(const DeviceDescription& device, const Shape& shape,
           const std::shared_ptr<const SphereTable>& table, Subjects& subjects) {
-  EngineOptions options;
-  options.engine = device.engine;
-  options.device = std::to_string(device.index);
+  EngineOptions options = optionsFor(device);
   options.lanesPerItem = shape.lanesPerItem;
   options.samplesPerGroup = shape.samplesPerGroup;
   options.selfTest = false;

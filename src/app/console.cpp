@@ -16,11 +16,6 @@ bool stderrIsTerminal() {
   return isatty(STDERR_FILENO) != 0;
 }
 
-bool colorsWanted() {
-  const char* noColor = std::getenv("NO_COLOR");
-  return stderrIsTerminal() && !(noColor && *noColor);
-}
-
 std::string valueText(const nlohmann::ordered_json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
@@ -49,14 +44,22 @@ void appendLines(std::string& text, const nlohmann::ordered_json& results, int i
 
 }  // namespace
 
+bool colorsWanted(int descriptor) {
+  const char* noColor = std::getenv("NO_COLOR");
+  return isatty(descriptor) != 0 && !(noColor && *noColor);
+}
+
 void printToStderr(const std::string& kind, const std::string& line) {
-  const bool color = colorsWanted();
+  const bool color = colorsWanted(STDERR_FILENO);
   fmt::print(stderr, "haarlight: {}{}{}: {}\n", color ? "\x1b[1;33m" : "", kind,
              color ? "\x1b[0m" : "", line);
 }
 
 Console::Console(bool json, bool quiet)
-    : json_(json), quiet_(quiet), terminal_(stderrIsTerminal()), colored_(colorsWanted()) {}
+    : json_(json),
+      quiet_(quiet),
+      terminal_(stderrIsTerminal()),
+      colored_(colorsWanted(STDERR_FILENO)) {}
 
 Console::~Console() {
   clearProgress();

@@ -45,6 +45,9 @@ class Console {
   bool shown_ = false;
 };
 
+/// Whether colours suit what is written to a file descriptor: a terminal, and NO_COLOR is not set.
+bool colorsWanted(int descriptor);
+
 /// "haarlight: <kind>: <line>" on stderr; the kind is coloured on a terminal unless NO_COLOR is
 /// set.
 void printToStderr(const std::string& kind, const std::string& line);

@@ -36,9 +36,7 @@ struct DevicesOptions {
 /// What the paper's frame takes of a device, in the shape for GPUs, beside what a GeForce 8800 has.
 nlohmann::ordered_json describeBudget(const DeviceDescription& device,
                                       const std::shared_ptr<const SphereTable>& table) {
-  EngineOptions options;
-  options.engine = device.engine;
-  options.device = std::to_string(device.index);
+  EngineOptions options = optionsFor(device);
   options.lanesPerItem = 1;
   const auto engine = makeEngine(options, table);
   const verify::Budget budget = verify::budgetOf(*engine);

@@ -65,16 +65,12 @@ verify::RunOptions runOptions(const VerifyOptions& options, const Progress& prog
   return run;
 }
 
-bool colorsOnStdout() {
-  const char* noColor = std::getenv("NO_COLOR");
-  return isatty(STDOUT_FILENO) && !(noColor && *noColor);
-}
-
 void writeReports(const VerifyOptions& options, const verify::Report& report) {
   if (!options.junit.empty()) writeFileAtomically(options.junit, verify::junitReport(report));
   if (!options.html.empty()) writeFileAtomically(options.html, verify::htmlReport(report));
-  const std::string text = options.general.json ? verify::jsonReport(report)
-                                                : verify::textReport(report, colorsOnStdout());
+  const std::string text = options.general.json
+                               ? verify::jsonReport(report)
+                               : verify::textReport(report, colorsWanted(STDOUT_FILENO));
   std::fwrite(text.data(), 1, text.size(), stdout);  // main looks for errors on the stream
 }
 

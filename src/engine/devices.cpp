@@ -49,9 +49,10 @@ std::vector<EngineOptions> candidates(const EngineOptions& options) {
   std::vector<EngineOptions> list;
   const auto add = [&](const DeviceDescription& device) {
     if (!device.problem.empty() || device.emulation) return;
+    const EngineOptions named = optionsFor(device);
     list.push_back(options);
-    list.back().engine = device.engine;
-    list.back().device = std::to_string(device.index);
+    list.back().engine = named.engine;
+    list.back().device = named.device;
   };
   std::ranges::for_each(listCudaDevices(), add);
   auto openCl = listOpenClDevices();
@@ -77,6 +78,13 @@ std::vector<DeviceDescription> listDevices() {
     list.push_back(none);
   }
   return list;
+}
+
+EngineOptions optionsFor(const DeviceDescription& device) {
+  EngineOptions options;
+  options.engine = device.engine;
+  options.device = std::to_string(device.index);
+  return options;
 }
 
 std::unique_ptr<Engine> makeEngine(const EngineOptions& options,

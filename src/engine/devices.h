@@ -55,6 +55,9 @@ struct EngineOptions {
   std::function<void(const std::string& reason)> onRefusal = {};
 };
 
+/// Options that name a device of listDevices().
+EngineOptions optionsFor(const DeviceDescription& device);
+
 /// An engine that looks visibility up in `table`, or with none finds it exactly
 /// (visibility/visibility_kind.h). Throws InputError for an unknown engine or device and for one
 /// that fails the self test.

@@ -28,13 +28,6 @@ StageTimes mediansOf(const std::vector<StageTimes>& times) {
   return medians;
 }
 
-EngineOptions optionsFor(const DeviceDescription& device) {
-  EngineOptions options;
-  options.engine = device.engine;
-  options.device = std::to_string(device.index);
-  return options;
-}
-
 std::unique_ptr<Engine> openInGpuShape(const DeviceDescription& device,
                                        std::shared_ptr<const SphereTable> table) {
   EngineOptions options = optionsFor(device);
