@@ -4,9 +4,9 @@
 #include <array>
 
 #include "base/error.h"
+#include "base/text_format.h"
 #include "engine/devices.h"
 #include "engine/self_test.h"
-#include "verify/report/format.h"
 
 namespace haarlight::verify {
 

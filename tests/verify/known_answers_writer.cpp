@@ -3,7 +3,7 @@
 #include <sstream>
 #include <utility>
 
-#include "verify/report/format.h"
+#include "base/text_format.h"
 
 namespace haarlight::test {
 

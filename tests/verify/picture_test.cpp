@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/html.h"
 #include "png_test_support.h"
 
 using namespace haarlight;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <limits>
 
+#include "base/html.h"
 #include "png_test_support.h"
 #include "report_test_support.h"
 #include "test_support.h"

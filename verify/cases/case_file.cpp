@@ -5,8 +5,8 @@
 #include <initializer_list>
 
 #include "base/file.h"
+#include "base/text_format.h"
 #include "verify/cases/case_lines.h"
-#include "verify/report/format.h"
 
 namespace haarlight::verify {
 

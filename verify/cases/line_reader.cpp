@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "verify/report/format.h"
+#include "base/text_format.h"
 
 namespace haarlight::verify {
 

@@ -2,8 +2,8 @@
 #include <array>
 #include <span>
 
+#include "base/text_format.h"
 #include "verify/gpu_check/gpu_check_record.h"
-#include "verify/report/format.h"
 #include "verify/report/report_writers.h"
 #include "verify/subjects.h"
 

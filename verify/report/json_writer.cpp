@@ -3,8 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "verify/report/format.h"
-#include "verify/report/utf8.h"
+#include "base/text_format.h"
+#include "base/utf8.h"
 
 namespace haarlight::verify {
 

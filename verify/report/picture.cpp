@@ -182,17 +182,4 @@ std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::
   return png;
 }
 
-std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t begin = 0; begin < bytes.size(); begin += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - begin);
-    std::uint32_t group = 0;
-    for (std::size_t i = 0; i < 3; ++i) group = group << 8 | (i < count ? bytes[begin + i] : 0u);
-    for (std::size_t i = 0; i < 4; ++i)
-      text += i <= count ? letters[group >> (18 - 6 * i) & 63] : '=';
-  }
-  return text;
-}
-
 }  // namespace haarlight::verify

@@ -31,7 +31,4 @@ std::uint64_t ulpDistance(float a, float b);
 /// when a side is not positive or `pixels` has another size.
 std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> pixels);
 
-/// RFC 4648, with padding.
-std::string base64(std::span<const std::uint8_t> bytes);
-
 }  // namespace haarlight::verify

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "verify/report/format.h"
+#include "base/text_format.h"
 
 namespace haarlight::verify {
 

@@ -160,7 +160,7 @@ std::string nameOf(const FaultSummary& faults);
 std::string countsText(const FaultSummary& faults);
 
 /// A row's first mismatches in words, two lines each, and how many more there are. Foreign text in
-/// them is visible() (verify/report/format.h).
+/// them is visible() (base/text_format.h).
 std::vector<std::string> mismatchLines(const Row& row);
 
 /// "seed 1 · 12 known, 4 scene and 500 random cases".

@@ -1,6 +1,6 @@
 #include <bit>
 
-#include "verify/report/format.h"
+#include "base/text_format.h"
 #include "verify/report/json_writer.h"
 #include "verify/report/report_writers.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "verify/report/format.h"
+#include "base/text_format.h"
 #include "verify/report/report_writers.h"
 
 namespace haarlight::verify {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/report/format.h"
+#include "base/text_format.h"
 #include "verify/report/report.h"
 
 namespace haarlight::verify {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "verify/report/format.h"
+#include "base/text_format.h"
 #include "verify/report/report_table.h"
 #include "verify/report/report_writers.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace haarlight::verify {
+namespace haarlight {
 
 /// Stands for bytes that are no UTF-8.
 inline constexpr char32_t replacementCharacter = 0xFFFD;
@@ -39,4 +39,4 @@ inline void appendUtf8(std::string& text, char32_t point) {
   for (int i = following - 1; i >= 0; --i) text += char(0x80 | (point >> 6 * i & 0x3F));
 }
 
-}  // namespace haarlight::verify
+}  // namespace haarlight

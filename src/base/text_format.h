@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "verify/report/utf8.h"
+#include "base/utf8.h"
 
-namespace haarlight::verify {
+namespace haarlight {
 
 /// A number as std::to_chars writes it with these settings; the shortest text that reads back as
 /// the same number without any.
@@ -28,6 +28,11 @@ inline std::string floatText(float value) {
 
 inline std::string fixedText(double value, int decimals) {
   return numberText(value, std::chars_format::fixed, decimals);
+}
+
+/// "12.5 %" for 0.125, with a blank that is not broken.
+inline std::string percentText(double part, int decimals) {
+  return fixedText(100 * part, decimals) + "\u00A0%";
 }
 
 /// "1,234,567".
@@ -95,4 +100,4 @@ inline std::string markup(std::string_view text) {
   return result;
 }
 
-}  // namespace haarlight::verify
+}  // namespace haarlight
