@@ -1,18 +1,18 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "mesh/ray_scene.h"
 #include "mesh/triangle_mesh.h"
+#include "mesh/winding_number.h"
 
 namespace haarlight {
 
-/// Tells whether points lie inside a mesh, by the majority of five rays in directions without a
-/// relation to each other. A ray counts the sides of the surface it leaves and enters; any surplus
-/// means inside, so overlapping parts work as their union and it does not matter which way the
-/// triangles face. One ray is right for a closed mesh; the majority is what lets a mesh with holes
-/// that let less than half of the rays through still have an inside. (A generalised winding number
-/// copes with more damage, but takes the sum over all triangles, or a tree of its own, per point.)
+/// Tells whether points lie inside a mesh: where its winding number is nearer to some whole number
+/// other than 0 than to 0. So overlapping and touching parts work as their union, a shell inside
+/// another that faces the other way is a cavity, a mesh with holes still has an inside, and it does
+/// not matter which way all triangles face; neighbours must agree (prepareSolid sees to that).
 class InsideTest {
  public:
   explicit InsideTest(const TriangleMesh& mesh);
@@ -21,7 +21,7 @@ class InsideTest {
   bool contains(const glm::vec3& point) const;
 
  private:
-  RayScene scene_;
+  WindingNumber windingNumber_;
 };
 
 /// One step of a walk along a ray through all surfaces it meets.
@@ -30,7 +30,8 @@ struct Crossing {
   int turn;        ///< +1 where the ray leaves the side the triangles face away from, else -1
 };
 
-/// All crossings of a ray in order of distance.
+/// All crossings of a ray in order of distance. Of surfaces that lie within a millionth of the
+/// distance of each other, only the first is met.
 std::vector<Crossing> crossingsAlong(const RayScene& scene, const glm::vec3& origin,
                                      const glm::vec3& direction);
 

@@ -19,6 +19,11 @@ double triangleArea(const TriangleMesh& mesh, const glm::uvec3& t) {
   return glm::length(glm::cross(b - a, c - a)) / 2;
 }
 
+glm::vec3 triangleNormal(const TriangleMesh& mesh, const glm::uvec3& t) {
+  const glm::dvec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
+  return glm::vec3(glm::normalize(glm::cross(b - a, c - a)));
+}
+
 glm::vec3 pointInTriangle(const TriangleMesh& mesh, const glm::uvec3& t, double u, double v) {
   const double root = std::sqrt(u);
   return glm::vec3((1 - root) * glm::dvec3(mesh.positions[t.x]) +
@@ -65,23 +70,33 @@ double surfaceArea(const TriangleMesh& mesh) {
   return sum;
 }
 
-std::vector<glm::vec3> sampleSurface(const TriangleMesh& mesh, std::size_t count,
-                                     std::uint64_t seed) {
+std::vector<SurfacePoint> sampleSurfaceWithNormals(const TriangleMesh& mesh, std::size_t count,
+                                                   std::uint64_t seed) {
   std::vector<double> areaUpTo;
   double area = 0;
   for (const glm::uvec3& t : mesh.triangles) areaUpTo.push_back(area += triangleArea(mesh, t));
   if (!(area > 0)) return {};
   Random random(seed);
-  std::vector<glm::vec3> samples;
+  std::vector<SurfacePoint> samples;
   samples.reserve(count);
   std::size_t triangle = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double at = (static_cast<double>(i) + random.uniform()) / static_cast<double>(count);
     while (triangle + 1 < areaUpTo.size() && areaUpTo[triangle] <= at * area) ++triangle;
     const double u = random.uniform(), v = random.uniform();
-    samples.push_back(pointInTriangle(mesh, mesh.triangles[triangle], u, v));
+    const glm::uvec3& t = mesh.triangles[triangle];
+    samples.push_back({pointInTriangle(mesh, t, u, v), triangleNormal(mesh, t)});
   }
   return samples;
+}
+
+std::vector<glm::vec3> sampleSurface(const TriangleMesh& mesh, std::size_t count,
+                                     std::uint64_t seed) {
+  std::vector<glm::vec3> positions;
+  positions.reserve(count);
+  for (const SurfacePoint& sample : sampleSurfaceWithNormals(mesh, count, seed))
+    positions.push_back(sample.position);
+  return positions;
 }
 
 std::uint64_t meshHash(const TriangleMesh& mesh) {

@@ -29,6 +29,16 @@ double surfaceArea(const TriangleMesh& mesh);
 std::vector<glm::vec3> sampleSurface(const TriangleMesh& mesh, std::size_t count,
                                      std::uint64_t seed);
 
+/// A point of the surface and the unit normal of its triangle.
+struct SurfacePoint {
+  glm::vec3 position;
+  glm::vec3 normal;
+};
+
+/// The points of sampleSurface with normals.
+std::vector<SurfacePoint> sampleSurfaceWithNormals(const TriangleMesh& mesh, std::size_t count,
+                                                   std::uint64_t seed);
+
 /// Checksum of positions and triangles; it tells whether a sphere set was made for this mesh.
 std::uint64_t meshHash(const TriangleMesh& mesh);
 

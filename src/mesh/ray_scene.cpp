@@ -54,14 +54,34 @@ RTCRay newRay(const glm::vec3& origin, const glm::vec3& direction, float near) {
 }  // namespace
 
 struct RayScene::Implementation {
-  explicit Implementation(std::span<const TriangleMesh* const> meshes)
-      : device(rtcNewDevice(nullptr)), scene(device ? rtcNewScene(device) : nullptr) {
+  Implementation() : device(rtcNewDevice(nullptr)), scene(device ? rtcNewScene(device) : nullptr) {
     if (!device) throw std::runtime_error("Embree cannot start");
     rtcSetDeviceErrorFunction(device, rememberError, &message);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  }
+
+  explicit Implementation(std::span<const TriangleMesh* const> meshes) : Implementation() {
     for (std::size_t i = 0; i < meshes.size(); ++i) attach(*meshes[i], static_cast<unsigned>(i));
+    commit();
+  }
+
+  explicit Implementation(std::span<const Sphere> spheres) : Implementation() {
+    attach(spheres);
+    commit();
+  }
+
+  void commit() {
     rtcCommitScene(scene);
     throwError();
+  }
+
+  void attach(std::span<const Sphere> spheres) {
+    if (spheres.empty()) return;
+    const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT));
+    copyBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4,
+               std::vector<Sphere>(spheres.begin(), spheres.end()));
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, 0);
   }
 
   void attach(const TriangleMesh& mesh, unsigned object) {
@@ -107,6 +127,8 @@ struct RayScene::Implementation {
 RayScene::RayScene(std::span<const TriangleMesh* const> meshes)
     : implementation_(std::make_unique<Implementation>(meshes)) {}
 RayScene::RayScene(const TriangleMesh& mesh) : RayScene(std::array{&mesh}) {}
+RayScene::RayScene(std::span<const Sphere> spheres)
+    : implementation_(std::make_unique<Implementation>(spheres)) {}
 RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;

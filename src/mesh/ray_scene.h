@@ -8,6 +8,7 @@
 #include <span>
 
 #include "mesh/triangle_mesh.h"
+#include "visibility/sphere.h"
 
 namespace haarlight {
 
@@ -22,14 +23,17 @@ struct RayHit {
   glm::vec3 geometricNormal{0};  ///< unit, on the side from which the winding is counter-clockwise
 };
 
-/// Triangle meshes prepared for ray queries by Embree. Directions need not be unit vectors; a ray
-/// starts at origin + near · direction and has no end. Queries may run on any number of threads.
+/// Triangle meshes, or spheres, prepared for ray queries by Embree. Directions need not be unit
+/// vectors; a ray starts at origin + near · direction and has no end. Queries may run on any number
+/// of threads.
 class RayScene {
  public:
   /// Object i is *meshes[i]; the meshes are copied. Throws std::runtime_error with Embree's words
   /// when it cannot build the scene.
   explicit RayScene(std::span<const TriangleMesh* const> meshes);
   explicit RayScene(const TriangleMesh& mesh);
+  /// Spheres instead of triangles: for occluded and occluded16 only.
+  explicit RayScene(std::span<const Sphere> spheres);
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;

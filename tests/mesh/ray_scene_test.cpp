@@ -2,11 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <span>
+#include <vector>
 
 #include "base/parallel.h"
 #include "mesh/builtin_meshes.h"
@@ -22,11 +25,14 @@ glm::vec3 randomVector(Random& random) {
   return glm::vec3(2 * x - 1, 2 * y - 1, 2 * z - 1);
 }
 
-/// Distance to the sphere of this radius around the origin in lengths of `direction`, or -1.
-double sphereDistance(const glm::dvec3& origin, const glm::dvec3& direction, double radius) {
+/// Distance to where a ray enters, or leaves, the sphere of this radius around the origin in
+/// lengths of `direction`, or -1.
+double sphereDistance(const glm::dvec3& origin, const glm::dvec3& direction, double radius,
+                      bool leaving = false) {
   const double a = glm::dot(direction, direction), b = glm::dot(origin, direction);
   const double discriminant = b * b - a * (glm::dot(origin, origin) - radius * radius);
-  return discriminant < 0 ? -1 : (-b - std::sqrt(discriminant)) / a;
+  const double root = std::sqrt(std::max(discriminant, 0.0));
+  return discriminant < 0 ? -1 : (leaving ? -b + root : -b - root) / a;
 }
 
 }  // namespace
@@ -118,4 +124,55 @@ TEST_CASE("sixteen rays at once see what single rays see, on all threads") {
   });
   CHECK(differences.load() == 0);
   CHECK(hits.load() > 500);
+}
+
+TEST_CASE("rays meet spheres where they meet the true ones") {
+  Random random(5);
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < 40; ++i)
+    spheres.push_back({randomVector(random), static_cast<float>(0.02 + 0.2 * random.uniform())});
+  const RayScene scene(spheres);
+  int hits = 0, misses = 0, differences = 0;
+  for (int i = 0; i < 500; ++i) {
+    std::array<glm::vec3, 16> origins, directions;
+    unsigned expected = 0, undecided = 0;
+    for (int ray = 0; ray < 16; ++ray) {
+      origins[ray] = 1.5f * randomVector(random);
+      directions[ray] = randomVector(random);
+      for (const Sphere& sphere : spheres) {
+        const glm::dvec3 origin = origins[ray] - sphere.center;
+        // A ray that starts in a sphere meets it from within.
+        const auto meets = [&](double radius) {
+          return sphereDistance(origin, directions[ray], radius, true) > 0;
+        };
+        if (meets(sphere.radius * 0.9999))
+          expected |= 1u << ray;
+        else if (meets(sphere.radius * 1.0001))
+          undecided |= 1u << ray;
+      }
+    }
+    const auto valid = static_cast<std::uint16_t>(random.next());
+    const unsigned mask = scene.occluded16(origins, directions, valid);
+    for (int ray = 0; ray < 16; ++ray) {
+      const bool hit = expected >> ray & 1;
+      if (!hit && (undecided >> ray & 1)) continue;
+      ++(hit ? hits : misses);
+      differences += scene.occluded(origins[ray], directions[ray]) != hit;
+      differences += (mask >> ray & 1) != (hit && (valid >> ray & 1));
+    }
+  }
+  CHECK(differences == 0);
+  CHECK(hits > 500);
+  CHECK(misses > 500);
+}
+
+TEST_CASE("rays to spheres begin where they are told, and no spheres block nothing") {
+  const RayScene scene(std::vector<Sphere>{{{0, 0, -4}, 1}});
+  CHECK(scene.occluded({0, 0, 0}, {0, 0, -2}));
+  CHECK_FALSE(scene.occluded({0, 0, 0}, {0, 0, 2}));
+  CHECK_FALSE(scene.occluded({1.01f, 0, 0}, {0, 0, -2}));
+  CHECK(scene.occluded({0.99f, 0, 0}, {0, 0, -2}));
+  CHECK(scene.occluded({0, 0, 0}, {0, 0, -2}, 1.49f));
+  CHECK_FALSE(scene.occluded({0, 0, 0}, {0, 0, -2}, 2.51f));
+  CHECK_FALSE(RayScene(std::span<const Sphere>{}).occluded({0, 0, 0}, {0, 0, -2}));
 }
