@@ -86,6 +86,7 @@ void Console::showProgress(const std::string& task, double finished) {
   const auto now = Clock::now();
   if (task != task_) {
     task_ = task;
+    detail_.clear();
     taskStart_ = lastShown_ = now;
   }
   const double elapsed = std::chrono::duration<double>(now - taskStart_).count();
@@ -95,10 +96,15 @@ void Console::showProgress(const std::string& task, double finished) {
   constexpr int width = 30;
   const int filled = int(std::lround(width * finished));
   const double left = finished > 0 ? elapsed * (1 - finished) / finished : 0;
-  fmt::print(stderr, "\r\x1b[K{} [{}{:#<{}}{}{:.<{}}] {:3.0f} %, {:.0f} s left", task,
+  fmt::print(stderr, "\r\x1b[K{} [{}{:#<{}}{}{:.<{}}] {:3.0f} %, {:.0f} s left{}", task,
              colored_ ? "\x1b[32m" : "", "", filled, colored_ ? "\x1b[0m" : "", "", width - filled,
-             100 * finished, left);
+             100 * finished, left, detail_);
   std::fflush(stderr);
+}
+
+void Console::progressDetail(const std::string& detail) {
+  const std::lock_guard lock(mutex_);
+  detail_ = ", " + detail;
 }
 
 void Console::clearProgress() {

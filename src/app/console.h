@@ -24,6 +24,9 @@ class Console {
   /// A progress bar on a terminal for tasks that take over a second.
   Progress progress();
 
+  /// Shown after the progress bar, such as how good the result is so far.
+  void progressDetail(const std::string& detail);
+
   /// Prints the results: as they are with --json, else one line per entry, "key: value", with
   /// underscores as blanks and nested entries indented.
   void results(const nlohmann::ordered_json& results);
@@ -39,7 +42,7 @@ class Console {
   bool terminal_;
   bool colored_;
   std::mutex mutex_;
-  std::string task_;
+  std::string task_, detail_;
   Clock::time_point taskStart_;
   Clock::time_point lastShown_;
   bool shown_ = false;

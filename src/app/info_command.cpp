@@ -9,6 +9,7 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/parallel.h"
 #include "image/read_image.h"
 #include "light/builtin_lights.h"
 #include "light/light_projection.h"
@@ -16,8 +17,11 @@
 #include "mesh/builtin_meshes.h"
 #include "mesh/mesh_file.h"
 #include "mesh/mesh_measures.h"
+#include "mesh/solid_repair.h"
+#include "report/measures_json.h"
 #include "scene/names.h"
 #include "scene/scene_file.h"
+#include "spheres/sphere_measures.h"
 #include "spheres/sphere_set.h"
 
 namespace haarlight {
@@ -50,20 +54,38 @@ Json describeMesh(const std::string& name, Console& console) {
           {"hash", fmt::format("{:016x}", meshHash(loaded.mesh))}};
 }
 
-Json describeSet(const std::string& name) {
+/// The measures anew, against a mesh, and those of the set grown until it covers 2 million points
+/// of the surface and 1 million inside: sets that leave out unequal parts only compare after that.
+Json measureSet(const SphereSet& set, const std::string& meshName, Console& console) {
+  constexpr std::size_t samples = 1000000;
+  const LoadedMesh loaded = loadMeshOrBuiltin(meshName);
+  const SolidRepair repair = prepareSolid(loaded.mesh);
+  for (const auto* warnings : {&loaded.warnings, &repair.warnings})
+    for (const std::string& warning : *warnings) console.warning(meshName + ": " + warning);
+  std::vector<glm::vec3> points = sampleSurface(repair.mesh, 2 * samples, 1);
+  const std::vector<glm::vec3> interior = sampleInterior(repair.mesh, samples, 2);
+  points.insert(points.end(), interior.begin(), interior.end());
+  const std::vector<Sphere> grown = grownToCover(set.spheres, points);
+  return {
+      {"mesh", meshName},
+      {"measures", measuresJson(measureSpheres(repair.mesh, set.spheres, samples, 3))},
+      {"measures_at_full_coverage", measuresJson(measureSpheres(repair.mesh, grown, samples, 3))}};
+}
+
+Json describeSet(const std::string& name, const std::string& mesh, Console& console) {
   const SphereSet set = readSphereSet(name);
   const auto [smallest, largest] = std::ranges::minmax(set.spheres, {}, &Sphere::radius);
   Json info{{"kind", "sphere set"},
             {"spheres", set.spheres.size()},
             {"mesh", set.meshName},
             {"mesh_hash", fmt::format("{:016x}", set.meshHash)},
+            {"objective", nameOf(set.objective)},
             {"method", set.method},
-            {"seed", set.seed},
-            {"covered_surface", set.measures.coveredFraction}};
-  if (set.measures.outsideVolumeRatio)
-    info["outside_volume_ratio"] = *set.measures.outsideVolumeRatio;
+            {"seed", set.seed}};
+  info.update(measuresJson(set.measures));
   info["smallest_radius"] = smallest.radius;
   info["largest_radius"] = largest.radius;
+  if (!mesh.empty()) info["measured_against"] = measureSet(set, mesh, console);
   return info;
 }
 
@@ -140,10 +162,11 @@ std::string lowerExtension(const std::string& name) {
   return extension;
 }
 
-Json describeFile(const std::string& name, Console& console) {
+Json describeFile(const std::string& name, const std::string& mesh, Console& console) {
   if (name.starts_with(builtinPrefix)) return describeBuiltin(name, console);
   const std::string extension = lowerExtension(name);
-  if (extension == ".json") return isSphereSet(name) ? describeSet(name) : describeSceneFile(name);
+  if (extension == ".json")
+    return isSphereSet(name) ? describeSet(name, mesh, console) : describeSceneFile(name);
   if (extension == ".hdr" || extension == ".exr" || extension == ".pic" || extension == ".rgbe")
     return describeImage(name, console);
   return describeMesh(name, console);
@@ -154,18 +177,21 @@ Json describeFile(const std::string& name, Console& console) {
 void addInfoCommand(CLI::App& app) {
   struct InfoOptions {
     GeneralOptions general;
-    std::string file;
+    std::string file, mesh;
   };
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* command =
       app.add_subcommand("info", "Say what a mesh, light, image, sphere set or scene file holds");
   command->footer("Example: haarlight info grace.hdr");
   command->add_option("FILE", options->file, "File, or builtin:…")->required();
+  command->add_option("--mesh", options->mesh,
+                      "Measure a sphere set against this mesh, with three million points");
   addGeneralOptions(*command, options->general);
   command->callback([options] {
     Console console(options->general.json, options->general.quiet);
+    setThreadCount(options->general.threads);
     Json results{{"file", options->file}};
-    results.update(describeFile(options->file, console));
+    results.update(describeFile(options->file, options->mesh, console));
     console.results(results);
   });
 }

@@ -112,6 +112,10 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("--spheres", options.spheres, "Spheres fitted to each object [64]")
       ->group("Scene")
       ->check(CLI::Range(1, 4096));
+  text("--objective", options.objective,
+       "Of that fit: least error of the shadow, or cover (every point in a sphere) [shadow]",
+       "Scene")
+      ->check(CLI::IsMember(namesOf(fitObjectiveNames)));
   text("--method", options.method, "haar, pixel (all texels) or pixel-mesh (rays) [haar]",
        "Computation")
       ->check(CLI::IsMember(namesOf(shadingMethodNames)));
@@ -146,6 +150,9 @@ SceneDescription describeScene(const SceneOptions& options) {
   applyShading(options, scene.shading);
   if (options.spheres)
     for (ObjectDescription& object : scene.objects) object.spheres = *options.spheres;
+  if (!options.objective.empty())
+    for (ObjectDescription& object : scene.objects)
+      object.objective = choiceOf(fitObjectiveNames, options.objective);
   if (!options.device.empty() && scene.shading.engine == EngineChoice::Reference)
     throw InputError(
         "--device is for the engines opencl and cuda, not for reference; leave one of them out");

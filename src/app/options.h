@@ -33,6 +33,7 @@ struct SceneOptions {
   std::optional<double> lightRotation;
   std::optional<double> lightScale;
   std::optional<int> spheres;
+  std::string objective;
   std::string method;
   std::optional<int> terms;
   std::optional<int> levels;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -24,6 +25,9 @@ using ImageAttributes = std::map<std::string, std::variant<std::string, int, flo
 /// attribute's name cannot be used; nothing of it stays then.
 void writeExr(const std::filesystem::path& path, const std::vector<ImageLayer>& layers,
               const ImageAttributes& attributes = {});
+
+/// A linear image as 8-bit sRGB PNG, in memory. Throws InputError when it is too large for PNG.
+std::vector<std::uint8_t> encodePng(const Image& image);
 
 /// Writes a linear image as 8-bit sRGB PNG: srgbByte (image/tonemap.h) of every value, without any
 /// exposure. Throws InputError when the file cannot be written; nothing of it stays then.

@@ -23,18 +23,21 @@ void appendBytes(void* target, void* data, int size) {
 
 }  // namespace
 
-void writePng(const std::filesystem::path& path, const Image& image) {
-  if (image.pixels.empty()) throw std::invalid_argument("writePng needs an image with pixels");
+std::vector<std::uint8_t> encodePng(const Image& image) {
+  if (image.pixels.empty()) throw std::invalid_argument("a PNG needs an image with pixels");
   std::vector<std::uint8_t> samples;
   samples.reserve(image.pixels.size() * 3);
   for (const glm::vec3& pixel : image.pixels)
     for (int c = 0; c < 3; ++c) samples.push_back(srgbByte(pixel[c]));
-  // stb reports no write errors, so it writes to memory.
   std::vector<std::uint8_t> file;
   if (!stbi_write_png_to_func(appendBytes, &file, image.width, image.height, 3, samples.data(),
                               image.width * 3))
-    throw InputError("cannot write " + path.string() + ": the picture is too large for PNG");
-  writeFileAtomically(path, file);
+    throw InputError("the picture is too large for PNG");
+  return file;
+}
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+  writeFileAtomically(path, encodePng(image));  // stb reports no write errors
 }
 
 }  // namespace haarlight

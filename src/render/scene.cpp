@@ -12,6 +12,7 @@
 #include "mesh/mesh_file.h"
 #include "mesh/mesh_measures.h"
 #include "mesh/mesh_transform.h"
+#include "scene/names.h"
 #include "scene/transform.h"
 #include "spheres/fit_spheres.h"
 
@@ -21,10 +22,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path cachedSetFile(const TriangleMesh& mesh, int count) {
+fs::path cachedSetFile(const TriangleMesh& mesh, int count, FitObjective objective) {
   const fs::path folder = cacheFolder();
   if (folder.empty()) return {};
-  return folder / fmt::format("spheres-1-{:016x}-{}.json", meshHash(mesh), count);
+  return folder /
+         fmt::format("spheres-2-{:016x}-{}-{}.json", meshHash(mesh), nameOf(objective), count);
 }
 
 std::optional<SphereSet> readCachedSet(const fs::path& file, const TriangleMesh& mesh) {
@@ -38,16 +40,22 @@ std::optional<SphereSet> readCachedSet(const fs::path& file, const TriangleMesh&
   return std::nullopt;
 }
 
-SphereSet fitOrReuse(const TriangleMesh& mesh, int count, const std::string& name,
-                     const Progress& progress) {
-  const fs::path file = cachedSetFile(mesh, count);
+SphereSet fitOrReuse(const TriangleMesh& mesh, int count, FitObjective objective,
+                     const std::string& name, const Progress& progress) {
+  const fs::path file = cachedSetFile(mesh, count, objective);
   if (auto set = readCachedSet(file, mesh)) return *set;
   SphereFitOptions options;
+  options.objective = objective;
   if (progress)
-    options.progress = [&](double finished) {
-      progress(fmt::format("fitting {} spheres to {}", count, name), finished);
+    options.progress = [&](const FitProgress& fit) {
+      progress(fmt::format("fitting {} spheres to {}", count, name), fit.finished);
     };
-  SphereSet set = fitSpheres(mesh, std::size_t(count), options);
+  SphereSet set;
+  try {
+    set = fitSpheres(mesh, std::size_t(count), options).set;
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what() + ", or set castsShadow to false");
+  }
   set.meshName = name;
   try {
     if (!file.empty()) fs::create_directories(file.parent_path());
@@ -83,8 +91,8 @@ SphereSet worldSpheres(const ObjectDescription& description, const TriangleMesh&
                        const Progress& progress) {
   if (const int* count = std::get_if<int>(&description.spheres)) {
     if (!scalesUniformly(description.transform))
-      return fitOrReuse(posed, *count, description.name, progress);
-    SphereSet set = fitOrReuse(loaded, *count, description.name, progress);
+      return fitOrReuse(posed, *count, description.objective, description.name, progress);
+    SphereSet set = fitOrReuse(loaded, *count, description.objective, description.name, progress);
     moveSpheres(set.spheres, matrix);
     return set;
   }

@@ -2,6 +2,7 @@
 
 /// The words that stand for choices, in scene files and on the command line.
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -38,6 +39,15 @@ inline constexpr std::array<Named<VisibilityKind>, 2> visibilityKindNames{{
     {"exact", VisibilityKind::exact},
     {"table", VisibilityKind::table},
 }};
+
+inline constexpr std::array<Named<FitObjective>, 2> fitObjectiveNames{{
+    {"cover", FitObjective::cover},
+    {"shadow", FitObjective::shadow},
+}};
+
+constexpr std::string_view nameOf(FitObjective objective) {
+  return std::ranges::find(fitObjectiveNames, objective, &Named<FitObjective>::choice)->name;
+}
 
 inline constexpr std::array<Named<EngineChoice>, 5> engineChoiceNames{{
     {"auto", EngineChoice::Auto},

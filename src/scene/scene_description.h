@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "scene/fit_objective.h"
 #include "visibility/visibility_kind.h"
 
 namespace haarlight {
@@ -46,6 +47,8 @@ struct ObjectDescription {
   glm::dvec3 albedo{0.5, 0.5, 0.5};
   /// How many spheres to fit to the mesh, or the file that holds a set fitted before.
   std::variant<int, std::filesystem::path> spheres = 64;
+  /// What the fit of that many spheres makes small.
+  FitObjective objective = FitObjective::shadow;
   /// Whether the object blocks light.
   bool castsShadow = true;
 };

@@ -35,6 +35,7 @@ void visitFields(Fields& fields, ObjectDescription& object) {
   fields.object("transform", object.transform);
   fields.vector("albedo", object.albedo, unitRange);
   fields.countOrFile("spheres", object.spheres, Range{1, 4096});
+  fields.choice("objective", object.objective, fitObjectiveNames);
   fields.flag("castsShadow", object.castsShadow);
 }
 

@@ -2,77 +2,113 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-#include <utility>
-#include <vector>
-
-#include "mesh/random.h"
+#include <limits>
 
 namespace haarlight {
 
 namespace {
 
-/// Up to four points on the boundary of the ball.
+/// Up to four balls that touch the smallest ball around them from inside.
 struct Support {
-  glm::dvec3 points[4];
+  Ball balls[4];
   int count = 0;
 };
 
-bool contains(const Ball& ball, const glm::dvec3& point) {
-  const glm::dvec3 d = point - ball.center;
-  return glm::dot(d, d) <= ball.radius * ball.radius * (1 + 1e-12);
-}
-
-/// The smallest ball with all support points on its boundary: its centre is p0 + Σ λj (pj - p0)
-/// with Gram matrix · λ = diagonal / 2. Points that do not span their space give nothing.
-bool ballThrough(const Support& support, Ball& ball) {
-  if (support.count == 0) return false;
-  const glm::dvec3 origin = support.points[0];
-  glm::dvec3 edges[3];
-  glm::dmat3 gram(1);
-  glm::dvec3 half(0);
-  double scale = 1;
-  for (int i = 1; i < support.count; ++i) edges[i - 1] = support.points[i] - origin;
+/// The smallest ball that all support balls touch from inside; radius NaN where there is none.
+///
+/// With the first ball's centre as origin, offsets d, and radii r as differences from the first's,
+/// a centre z and a radius ρ satisfy d·z = (d² - r²) / 2 + ρ r for each further ball, so that
+/// z = a + ρ b in the space of the offsets, and z² = ρ².
+Ball tangentBall(const Support& support) {
+  const Ball& first = support.balls[0];
+  if (support.count == 1) return first;
+  glm::dvec3 axes[3], a(0), b(0);
   for (int i = 0; i + 1 < support.count; ++i) {
-    for (int j = 0; j + 1 < support.count; ++j) gram[i][j] = glm::dot(edges[i], edges[j]);
-    half[i] = gram[i][i] / 2;
-    scale *= gram[i][i];
+    const glm::dvec3 d = support.balls[i + 1].center - first.center;
+    const double r = support.balls[i + 1].radius - first.radius;
+    glm::dvec3 rest = d;
+    for (int j = 0; j < i; ++j) rest -= glm::dot(rest, axes[j]) * axes[j];
+    const double height = glm::length(rest);
+    axes[i] = rest / height;
+    const double half = (glm::dot(d, d) - r * r) / 2;
+    a += (half - glm::dot(d, a)) / height * axes[i];
+    b += (r - glm::dot(d, b)) / height * axes[i];
   }
-  const double determinant = glm::determinant(gram);
-  if (!(determinant > 1e-14 * scale)) return false;
-  const glm::dvec3 weights = glm::inverse(gram) * half;
-  glm::dvec3 offset(0);
-  for (int i = 0; i + 1 < support.count; ++i) offset += weights[i] * edges[i];
-  ball = {origin + offset, glm::length(offset)};
-  return true;
+  const double p = 1 - glm::dot(b, b), q = glm::dot(a, b);
+  const double root = std::sqrt(q * q + p * glm::dot(a, a));
+  const double rho = q > 0 ? (q + root) / p : glm::dot(a, a) / (root - q);
+  return {first.center + a + rho * b, first.radius + rho};
 }
 
-/// The smallest ball around the first `count` points with all of `support` on its boundary.
-Ball solve(std::span<const glm::vec3> points, std::size_t count, const Support& support,
-           const Ball& start) {
-  Ball ball = start;
-  if (!ballThrough(support, ball) && support.count > 0) return start;
-  if (support.count == 4) return ball;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (contains(ball, points[i])) continue;
-    Support more = support;
-    more.points[more.count++] = points[i];
-    ball = solve(points, i, more, ball);
+/// Replaces `support` by those of its balls and `further` that determine the smallest ball around
+/// all of them, and returns that ball; radius infinite where rounding hides it.
+Ball smallestBall(Support& support, const Ball& further) {
+  Ball best{{}, std::numeric_limits<double>::infinity()};
+  Support bestSupport;
+  for (int chosen = 0; chosen < 1 << support.count; ++chosen) {
+    Support candidate{{further}, 1};
+    if (chosen == 15) continue;  // four balls determine every ball
+    for (int i = 0; i < support.count; ++i)
+      if (chosen >> i & 1) candidate.balls[candidate.count++] = support.balls[i];
+    const Ball ball = tangentBall(candidate);
+    const auto holds = [&](const Ball& inner) {
+      return reach(inner, ball.center) <= ball.radius * (1 + 1e-10);
+    };
+    if (ball.radius < best.radius && holds(further) &&
+        std::all_of(support.balls, support.balls + support.count, holds)) {
+      best = ball;
+      bestSupport = candidate;
+    }
   }
-  return ball;
+  support = bestSupport;
+  return best;
+}
+
+/// The ball that reaches farthest, seen from `center`, of items relative to `origin`.
+template <typename Item>
+Ball farthestBall(std::span<const Item> items, const glm::dvec3& origin, const glm::dvec3& center) {
+  Ball farthest;
+  double farthestReach = -1;
+  for (const Item& item : items) {
+    Ball ball = ballOf(item);
+    ball.center -= origin;
+    const double ballReach = reach(ball, center);
+    if (ballReach <= farthestReach) continue;
+    farthest = ball;
+    farthestReach = ballReach;
+  }
+  return farthest;
+}
+
+template <typename Item>
+Ball enclosingBall(std::span<const Item> items) {
+  if (items.empty()) return {};
+  Ball ball = ballOf(items[0]);
+  const glm::dvec3 origin = ball.center;  // differences keep the digits of far-away sets
+  ball.center = glm::dvec3(0);
+  Support support{{ball}, 1};
+  for (;;) {
+    const Ball farthest = farthestBall(items, origin, ball.center);
+    const double radius = reach(farthest, ball.center);
+    if (radius > ball.radius * (1 + 1e-12)) {
+      const Ball grown = smallestBall(support, farthest);
+      if (grown.radius > ball.radius && std::isfinite(grown.radius)) {
+        ball = grown;
+        continue;
+      }
+    }
+    return {origin + ball.center, radius};
+  }
 }
 
 }  // namespace
 
 Ball minimumEnclosingBall(std::span<const glm::vec3> points) {
-  if (points.empty()) return {};
-  std::vector<glm::vec3> shuffled(points.begin(), points.end());
-  Random random(0);  // a random order makes the expected time linear
-  for (std::size_t i = shuffled.size(); i > 1; --i)
-    std::swap(shuffled[i - 1], shuffled[random.next() % i]);
-  return solve(shuffled, shuffled.size(), {}, {shuffled[0], 0});
+  return enclosingBall(points);
+}
+
+Ball minimumEnclosingBall(std::span<const Sphere> spheres) {
+  return enclosingBall(spheres);
 }
 
 }  // namespace haarlight

@@ -39,6 +39,7 @@ PointBlocks::PointBlocks(std::vector<glm::vec3> points) : points_(std::move(poin
     Box& box = boxes_.back();
     box = {glm::min(box.lower, p), glm::max(box.upper, p)};
     sorted.push_back(p);
+    originalPlaces_.push_back(index);
   }
   points_ = std::move(sorted);
 }

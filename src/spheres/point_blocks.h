@@ -25,6 +25,8 @@ class PointBlocks {
   explicit PointBlocks(std::vector<glm::vec3> points);
 
   const std::vector<glm::vec3>& points() const { return points_; }
+  /// Where each point was in the list that this was made from.
+  const std::vector<std::uint32_t>& originalPlaces() const { return originalPlaces_; }
 
   /// Calls function(index) for every point in the ball, in ascending order.
   template <typename Function>
@@ -45,6 +47,7 @@ class PointBlocks {
     glm::vec3 lower, upper;
   };
   std::vector<glm::vec3> points_;
+  std::vector<std::uint32_t> originalPlaces_;
   std::vector<Box> boxes_;
 };
 

@@ -13,6 +13,24 @@
 
 namespace haarlight {
 
+namespace {
+
+constexpr int allVotes = 6;
+
+/// Means over two cells each way; cells beyond the end of an odd side are outside.
+std::vector<float> halved(const std::vector<float>& inside, const glm::ivec3& size) {
+  const glm::ivec3 half = (size + 1) / 2;
+  std::vector<float> means(std::size_t(half.x) * half.y * half.z);
+  const float* cell = inside.data();
+  for (int z = 0; z < size.z; ++z)
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x)
+        means[(std::size_t(z / 2) * half.y + y / 2) * half.x + x / 2] += *cell++ / 8;
+  return means;
+}
+
+}  // namespace
+
 SolidGrid::SolidGrid(const TriangleMesh& mesh, int cells) {
   const BoundingBox box = boundingBox(mesh);
   const glm::dvec3 extent = glm::dvec3(box.upper) - glm::dvec3(box.lower);
@@ -23,7 +41,19 @@ SolidGrid::SolidGrid(const TriangleMesh& mesh, int cells) {
   std::vector<std::uint8_t> votes(std::size_t(size_.x) * size_.y * size_.z);
   const RayScene scene(mesh);
   for (int axis = 0; axis < 3; ++axis) vote(scene, axis, votes);
-  sumRows(votes);
+
+  constexpr int smallestSide = 8;
+  std::vector<float> inside(votes.size());
+  settleVotes(mesh, votes);
+  std::ranges::transform(votes, inside.begin(), [](int count) { return count == allVotes; });
+  glm::ivec3 size = size_;
+  double cellSize = cellSize_;
+  addLevel(inside, size, cellSize);
+  while (std::max({size.x, size.y, size.z}) > smallestSide) {
+    inside = halved(inside, size);
+    size = (size + 1) / 2;
+    addLevel(inside, size, cellSize *= 2);
+  }
 }
 
 std::size_t SolidGrid::cellIndex(const glm::ivec3& cell) const {
@@ -69,22 +99,47 @@ void SolidGrid::vote(const RayScene& scene, int axis, std::vector<std::uint8_t>&
               });
 }
 
-void SolidGrid::sumRows(const std::vector<std::uint8_t>& votes) {
-  constexpr int allVotes = 6;
-  insideBefore_.reserve(votes.size() + std::size_t(size_.y) * size_.z);
-  for (int z = 0; z < size_.z; ++z)
-    for (int y = 0; y < size_.y; ++y) {
-      std::uint16_t count = 0;
-      insideBefore_.push_back(0);
-      for (int x = 0; x < size_.x; ++x)
-        insideBefore_.push_back(count += 2 * votes[cellIndex({x, y, z})] > allVotes);
+/// Rays are quick but see touching faces as one and look through holes: where they do not agree,
+/// the winding number decides.
+void SolidGrid::settleVotes(const TriangleMesh& mesh, std::vector<std::uint8_t>& votes) const {
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < votes.size(); ++i)
+    if (votes[i] > 0 && votes[i] < allVotes) open.push_back(i);
+  if (open.empty()) return;
+  const InsideTest inside(mesh);
+  parallelFor(open.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto i = static_cast<int>(open[k]);
+      const glm::ivec3 cell(i % size_.x, i / size_.x % size_.y, i / size_.x / size_.y);
+      votes[open[k]] = inside.contains(glm::vec3(cellCenter(cell))) ? allVotes : 0;
     }
+  });
+}
+
+void SolidGrid::addLevel(const std::vector<float>& inside, const glm::ivec3& size,
+                         double cellSize) {
+  Level level{cellSize, size, {}};
+  level.insideBefore.reserve(inside.size() + std::size_t(2) * size.y * size.z);
+  const float* cell = inside.data();
+  for (int row = 0; row < size.y * size.z; ++row) {
+    float sum = 0;
+    level.insideBefore.push_back(0);
+    for (int x = 0; x < size.x; ++x) level.insideBefore.push_back(sum += *cell++);
+    level.insideBefore.push_back(sum);
+  }
+  levels_.push_back(std::move(level));
+}
+
+int SolidGrid::levelFor(double radius, double cells) const {
+  int level = 0;
+  while (level + 1 < int(levels_.size()) && levels_[level + 1].cellSize * cells <= radius) ++level;
+  return level;
 }
 
 double SolidGrid::volume() const {
   double cells = 0;
   for (int row = 0; row < size_.y * size_.z; ++row)
-    cells += insideBefore_[std::size_t(row + 1) * (size_.x + 1) - 1];
+    cells += levels_[0].insideBefore[std::size_t(row + 1) * (size_.x + 2) - 1];
   return cells * cellSize_ * cellSize_ * cellSize_;
 }
 
@@ -97,7 +152,7 @@ std::vector<glm::vec3> SolidGrid::insidePoints(std::size_t count) const {
   for (int z = 0; z < size_.z; ++z)
     for (int y = 0; y < size_.y; ++y)
       for (int x = 0; x < size_.x; ++x) {
-        passed += insideLength(y, z, x, x + 1.0);
+        passed += levels_[0].insideLength(y, z, float(x), float(x) + 1);
         if (passed < next) continue;
         points.emplace_back(cellCenter({x, y, z}));
         next += step;
@@ -106,43 +161,46 @@ std::vector<glm::vec3> SolidGrid::insidePoints(std::size_t count) const {
 }
 
 /// Inside length of a row between two places, all in cells.
-inline double SolidGrid::insideLength(int y, int z, double begin, double end) const {
-  const std::uint16_t* row =
-      &insideBefore_[(std::size_t(z) * size_.y + y) * (std::size_t(size_.x) + 1)];
-  const auto before = [&](double place) {
-    if (place <= 0) return 0.0;
-    if (place >= size_.x) return double(row[size_.x]);
+inline float SolidGrid::Level::insideLength(int y, int z, float begin, float end) const {
+  const float* row = &insideBefore[(std::size_t(z) * size.y + y) * (std::size_t(size.x) + 2)];
+  const auto last = static_cast<float>(size.x);
+  const auto before = [&](float place) {
+    place = std::min(std::max(place, 0.0f), last);
     const int cell = static_cast<int>(place);
-    return row[cell] + (place - cell) * (row[cell + 1] - row[cell]);
+    return row[cell] + (place - static_cast<float>(cell)) * (row[cell + 1] - row[cell]);
   };
   return before(end) - before(begin);
 }
 
-double SolidGrid::outsideVolume(const Ball& ball) const {
-  const glm::dvec3 center = (ball.center - lower_) / cellSize_;
-  const double radius = ball.radius / cellSize_;
-  const auto firstRow = [&](double at) { return static_cast<int>(std::ceil(at - radius - 0.5)); };
-  const auto lastRow = [&](double at) { return static_cast<int>(std::floor(at + radius - 0.5)); };
+double SolidGrid::outsideVolume(const Ball& ball, int level) const {
+  const Level& grid = levels_[std::size_t(level)];
+  const glm::vec3 center((ball.center - lower_) / grid.cellSize);
+  const auto radius = static_cast<float>(ball.radius / grid.cellSize);
+  const auto firstRow = [&](float at) { return static_cast<int>(std::ceil(at - radius - 0.5f)); };
+  const auto lastRow = [&](float at) { return static_cast<int>(std::floor(at + radius - 0.5f)); };
   double whole = 0, inside = 0;
   for (int z = firstRow(center.z); z <= lastRow(center.z); ++z) {
-    const double dz = z + 0.5 - center.z;
-    for (int y = firstRow(center.y); y <= lastRow(center.y); ++y) {
-      const double dy = y + 0.5 - center.y;
-      const double square = radius * radius - dy * dy - dz * dz;
+    const float dz = float(z) + 0.5f - center.z, disc = radius * radius - dz * dz;
+    float wholeSlice = 0, insideSlice = 0;
+    for (int y = firstRow(center.y), last = lastRow(center.y); y <= last; ++y) {
+      const float dy = float(y) + 0.5f - center.y, square = disc - dy * dy;
       if (square <= 0) continue;
-      const double half = std::sqrt(square);
-      whole += 2 * half;
-      if (y >= 0 && y < size_.y && z >= 0 && z < size_.z)
-        inside += insideLength(y, z, center.x - half, center.x + half);
+      const float half = std::sqrt(square);
+      wholeSlice += 2 * half;
+      if (unsigned(y) < unsigned(grid.size.y) && unsigned(z) < unsigned(grid.size.z))
+        insideSlice += grid.insideLength(y, z, center.x - half, center.x + half);
     }
+    whole += wholeSlice;
+    inside += insideSlice;
   }
   const double volume = 4.0 / 3.0 * std::numbers::pi * std::pow(ball.radius, 3);
   if (whole > 0) return volume * (1 - inside / whole);
   // A ball between the rows: as the cell that it lies in.
-  const glm::ivec3 cell = glm::floor(center);
-  const bool inGrid = cell.x >= 0 && cell.x < size_.x && cell.y >= 0 && cell.y < size_.y &&
-                      cell.z >= 0 && cell.z < size_.z;
-  return inGrid && insideLength(cell.y, cell.z, cell.x, cell.x + 1.0) > 0.5 ? 0 : volume;
+  const glm::ivec3 cell(glm::floor(center));
+  const bool inGrid = cell.x >= 0 && cell.x < grid.size.x && cell.y >= 0 && cell.y < grid.size.y &&
+                      cell.z >= 0 && cell.z < grid.size.z;
+  return inGrid ? volume * (1 - grid.insideLength(cell.y, cell.z, float(cell.x), float(cell.x) + 1))
+                : volume;
 }
 
 }  // namespace haarlight

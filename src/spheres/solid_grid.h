@@ -14,16 +14,22 @@ namespace haarlight {
 /// quickly how much of a ball lies outside.
 ///
 /// Rays along the rows of the grid, in the three directions of its axes and both ways, vote on each
-/// cell, so that a mesh with some holes still has an inside. An open surface without an inside
-/// gives an empty solid.
+/// cell; where they do not agree, as behind holes, the winding number decides. An open surface
+/// without an inside gives an empty solid. Above the grid stands a pyramid: a cell of level k + 1
+/// holds the mean of eight of level k, so that large balls cost no more than small ones.
 class SolidGrid {
  public:
   /// `cells`: number of cells along the longest side of the mesh's bounding box.
   SolidGrid(const TriangleMesh& mesh, int cells);
 
-  /// Volume of the ball outside the solid. Each row of cells adds the part of its chord that lies
-  /// outside, to fractions of a cell.
-  double outsideVolume(const Ball& ball) const;
+  /// The level at which a ball of the radius is about `cells` cells wide to each side, or level 0
+  /// where even that is too coarse.
+  int levelFor(double radius, double cells) const;
+
+  /// Volume of the ball outside the solid. Each row of cells of the level adds the part of its
+  /// chord that lies outside, to fractions of a cell. Continuous in centre and radius but for rows
+  /// that come and go at the ball's rim.
+  double outsideVolume(const Ball& ball, int level = 0) const;
 
   /// Volume of all cells inside.
   double volume() const;
@@ -32,17 +38,26 @@ class SolidGrid {
   std::vector<glm::vec3> insidePoints(std::size_t count) const;
 
  private:
+  struct Level {
+    double cellSize;
+    glm::ivec3 size;
+    /// For every row along x, the summed inside parts before each cell boundary; the last twice, so
+    /// that interpolation needs no special case at the end.
+    std::vector<float> insideBefore;
+
+    float insideLength(int y, int z, float begin, float end) const;
+  };
+
   void vote(const class RayScene& scene, int axis, std::vector<std::uint8_t>& votes) const;
-  void sumRows(const std::vector<std::uint8_t>& votes);
+  void settleVotes(const TriangleMesh& mesh, std::vector<std::uint8_t>& votes) const;
+  void addLevel(const std::vector<float>& inside, const glm::ivec3& size, double cellSize);
   std::size_t cellIndex(const glm::ivec3& cell) const;
   glm::dvec3 cellCenter(const glm::ivec3& cell) const;
-  double insideLength(int y, int z, double begin, double end) const;
 
   glm::dvec3 lower_;
   double cellSize_;
   glm::ivec3 size_;
-  /// For every row along x, the number of inside cells before each cell boundary.
-  std::vector<std::uint16_t> insideBefore_;
+  std::vector<Level> levels_;
 };
 
 }  // namespace haarlight

@@ -1,19 +1,22 @@
 #include "spheres/sphere_cover.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "base/parallel.h"
+#include "spheres/powell.h"
+#include "spheres/ranking.h"
 
 namespace haarlight {
 
 namespace {
 
 constexpr Ball noBall{glm::dvec3(0), -1};
+constexpr double leastGain = 1e-6;  // of a split, in cubed radii
 constexpr double never = std::numeric_limits<double>::infinity();
 
 double squaredDistance(const glm::dvec3& a, const glm::dvec3& b) {
@@ -21,88 +24,123 @@ double squaredDistance(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::dot(d, d);
 }
 
-/// The places sorted by a value each, the largest first; ties in order of place.
-std::vector<std::size_t> largestFirst(const std::vector<double>& values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
-  return order;
-}
+/// Points in lanes, to find the farthest from a place quickly.
+class FarthestPoint {
+ public:
+  explicit FarthestPoint(std::span<const glm::vec3> points) {
+    groups_.resize((points.size() + lanes - 1) / lanes);
+    for (std::size_t i = 0; i < groups_.size() * lanes; ++i) {
+      const glm::vec3& point = points[std::min(i, points.size() - 1)];
+      for (int axis = 0; axis < 3; ++axis) groups_[i / lanes][axis][i % lanes] = point[axis];
+    }
+  }
 
-template <typename Result, typename Function>
-std::vector<Result> computeForAll(std::size_t count, const Function& function) {
-  constexpr std::size_t mostRanges = 256;
-  std::vector<Result> results(count);
-  parallelFor(count, count / mostRanges + 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) results[i] = function(i);
-  });
-  return results;
+  double distanceFrom(const glm::dvec3& place) const {
+    constexpr double roundingOfFloat = 1e-6;
+    const glm::vec3 from(place);
+    std::array<float, lanes> largest{};
+    for (const Group& group : groups_)
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const float x = group[0][i] - from.x, y = group[1][i] - from.y, z = group[2][i] - from.z;
+        const float square = x * x + y * y + z * z;
+        largest[i] = square > largest[i] ? square : largest[i];
+      }
+    const double square = *std::ranges::max_element(largest);
+    // The rounding of the place to float moves it by no more than a unit in its last place.
+    return std::sqrt(square) * (1 + roundingOfFloat) + 2e-7 * glm::length(place);
+  }
+
+ private:
+  static constexpr std::size_t lanes = 8;
+  using Group = std::array<std::array<float, lanes>, 3>;
+  std::vector<Group> groups_;
+};
+
+/// Pattern search: the farthest point makes kinks in the cost, at which quadratic models stall.
+template <typename Cost>
+void polish(std::array<double, 3>& place, const Cost& cost, double least, double step,
+            double smallestStep) {
+  while (step > smallestStep) {
+    bool moved = false;
+    for (std::size_t direction = 0; direction < 6; ++direction) {
+      std::array<double, 3> next = place;
+      next[direction / 2] += direction % 2 ? -step : step;
+      const double there = cost(next);
+      if (!(there < least)) continue;
+      least = there;
+      place = next;
+      moved = true;
+    }
+    if (!moved) step /= 2;
+  }
 }
 
 }  // namespace
 
-SphereCover::SphereCover(std::span<const glm::vec3> points, std::span<const std::uint32_t> groups,
-                         std::size_t groupCount, const SolidGrid& solid)
-    : points_({points.begin(), points.end()}), solid_(solid), coverCounts_(points.size()) {
+SphereCover::SphereCover(std::shared_ptr<const PointBlocks> points,
+                         std::span<const std::uint32_t> groups, std::size_t groupCount,
+                         const SolidGrid& solid)
+    : points_(std::move(points)), solid_(&solid), coverCounts_(points_->points().size()) {
   std::vector<PointList> members(groupCount);
-  for (std::size_t i = 0; i < points.size(); ++i) members[groups[i]].push_back(points[i]);
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    members[groups[i]].push_back(points_->points()[i]);
   std::erase_if(members, [](const PointList& list) { return list.empty(); });
   const auto fits = computeForAll<Fit>(members.size(), [&](std::size_t i) {
-    return descend(members[i], minimumEnclosingBall(members[i]).center);
+    return fit(members[i], minimumEnclosingBall(members[i]).center);
   });
   for (const Fit& one : fits) add(one);
 }
 
-SphereCover::Fit SphereCover::fitAround(const PointList& points, const glm::dvec3& center) const {
-  double largest = 0;
-  for (const glm::vec3& point : points) largest = std::max(largest, squaredDistance(point, center));
-  const Ball ball{center, std::sqrt(largest)};
-  return {ball, solid_.outsideVolume(ball)};
+/// Comparable between balls of all sizes.
+double SphereCover::costOf(const Ball& ball) const {
+  constexpr double cellsToEachSide = 12;
+  return solid_->outsideVolume(ball, solid_->levelFor(ball.radius, cellsToEachSide));
 }
 
-/// Pattern search: the cost is continuous but, through the farthest point, not smooth.
-SphereCover::Fit SphereCover::descend(const PointList& points, const glm::dvec3& start) const {
-  Fit best = fitAround(points, start);
-  const double smallestStep = best.ball.radius / 40;
-  for (double step = best.ball.radius / 4; step > smallestStep;) {
-    const Fit before = best;
-    for (int direction = 0; direction < 6; ++direction) {
-      glm::dvec3 center = before.ball.center;
-      center[direction / 2] += direction % 2 ? -step : step;
-      if (const Fit moved = fitAround(points, center); moved.cost < best.cost) best = moved;
-    }
-    if (!(best.cost < before.cost)) step /= 2;
-  }
-  return best;
-}
-
+/// Powell's method (Wang et al. 2006, §4.2). The level of the grid stays the same during a search,
+/// so that the cost is continuous.
 SphereCover::Fit SphereCover::fit(const PointList& points, const glm::dvec3& start) const {
-  const Fit fromStart = descend(points, start);
-  const Fit fromEnclosing = descend(points, minimumEnclosingBall(points).center);
-  return fromEnclosing.cost < fromStart.cost ? fromEnclosing : fromStart;
+  constexpr double cellsToEachSide = 5;
+  const FarthestPoint farthest(points);
+  const double radius = farthest.distanceFrom(start);
+  const int level = solid_->levelFor(radius, cellsToEachSide);
+  const auto ballAt = [&](std::span<const double> place) {
+    const glm::dvec3 center(place[0], place[1], place[2]);
+    return Ball{center, farthest.distanceFrom(center)};
+  };
+  std::array<double, 3> place{start.x, start.y, start.z};
+  const auto volumeAt = [&](std::span<const double> at) {
+    return solid_->outsideVolume(ballAt(at), level);
+  };
+  const double volume = minimizeByPowell(
+      place, volumeAt,
+      {.firstStep = radius / 6, .smallestStep = radius / 100, .mostEvaluations = 50});
+  if (polished_) polish(place, volumeAt, volume, radius / 20, radius / 400);
+  const Ball ball = ballAt(place);
+  return {ball, costOf(ball)};
 }
 
-SphereCover::PointList SphereCover::pointsOnlyIn(std::size_t ball) const {
+SphereCover::PointList SphereCover::pointsOnlyIn(std::size_t ball, std::uint64_t* checksum) const {
   PointList list;
-  points_.forEachIn(balls_[ball], [&](std::uint32_t i) {
-    if (coverCounts_[i] == 1) list.push_back(points_.points()[i]);
+  points_->forEachIn(balls_[ball], [&](std::uint32_t i) {
+    if (coverCounts_[i] != 1) return;
+    list.push_back(points_->points()[i]);
+    if (checksum) *checksum = (*checksum ^ i) * 0x9e3779b97f4a7c15;
   });
   return list;
 }
 
-SphereCover::PointList SphereCover::pointsOnlyIn(std::size_t first, std::size_t second) const {
-  PointList list = pointsOnlyIn(second);
-  points_.forEachIn(balls_[first], [&](std::uint32_t i) {
-    const glm::vec3& point = points_.points()[i];
-    if (coverCounts_[i] == 1 || (coverCounts_[i] == 2 && covers(balls_[second], point)))
-      list.push_back(point);
+double SphereCover::exclusiveShare(std::size_t ball) const {
+  std::size_t all = 0, exclusive = 0;
+  points_->forEachIn(balls_[ball], [&](std::uint32_t i) {
+    ++all;
+    exclusive += coverCounts_[i] == 1;
   });
-  return list;
+  return all == 0 ? 0 : double(exclusive) / double(all);
 }
 
 void SphereCover::countCovers(const Ball& ball, int change) {
-  points_.forEachIn(ball, [&](std::uint32_t i) {
+  points_->forEachIn(ball, [&](std::uint32_t i) {
     coverCounts_[i] = static_cast<std::uint16_t>(coverCounts_[i] + change);
   });
 }
@@ -117,6 +155,7 @@ void SphereCover::replace(std::size_t ball, const Fit& by) {
 void SphereCover::add(const Fit& fit) {
   balls_.push_back(noBall);
   costs_.push_back(0);
+  fittedTo_.push_back(0);
   replace(balls_.size() - 1, fit);
 }
 
@@ -125,19 +164,93 @@ void SphereCover::removeEmptyBalls() {
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     if (balls_[i].radius < 0) continue;
     balls_[kept] = balls_[i];
+    fittedTo_[kept] = fittedTo_[i];
     costs_[kept++] = costs_[i];
   }
+  fittedTo_.resize(kept);
   balls_.resize(kept);
   costs_.resize(kept);
 }
 
+/// Whether the ball moved.
+bool SphereCover::refit(std::size_t ball) {
+  if (balls_[ball].radius < 0) return false;
+  std::uint64_t checksum = 1;  // of no points; a new ball has 0
+  const PointList points = pointsOnlyIn(ball, &checksum);
+  if (checksum == fittedTo_[ball]) return false;
+  fittedTo_[ball] = checksum;
+  const Fit better = points.empty() ? Fit{noBall, 0} : fit(points, balls_[ball].center);
+  if (!points.empty() && !(better.cost < costs_[ball])) return false;
+  replace(ball, better);
+  return true;
+}
+
 void SphereCover::refit() {
-  for (std::size_t i = 0; i < balls_.size(); ++i) {
-    const PointList points = pointsOnlyIn(i);
-    const Fit better = points.empty() ? Fit{noBall, 0} : fit(points, balls_[i].center);
-    if (points.empty() || better.cost < costs_[i]) replace(i, better);
-  }
+  for (std::size_t i = 0; i < balls_.size(); ++i) refit(i);
   removeEmptyBalls();
+}
+
+/// Balls that overlap one of the changed ones, those included.
+std::vector<std::size_t> SphereCover::around(const std::vector<bool>& changed) const {
+  std::vector<Ball> centers;
+  for (std::size_t i = 0; i < balls_.size(); ++i)
+    if (changed[i] && balls_[i].radius >= 0) centers.push_back(balls_[i]);
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < balls_.size(); ++i)
+    if (balls_[i].radius >= 0 && std::ranges::any_of(centers, [&](const Ball& ball) {
+          const double reach = balls_[i].radius + ball.radius;
+          return squaredDistance(balls_[i].center, ball.center) < reach * reach;
+        }))
+      found.push_back(i);
+  return found;
+}
+
+/// Refits the changed balls and those that overlap them, until little moves.
+void SphereCover::settle(std::vector<bool>& changed) {
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<bool> moved(balls_.size());
+    for (const std::size_t i : around(changed)) moved[i] = refit(i);
+    changed = moved;
+  }
+}
+
+/// The points of the ball go to the balls that grow least.
+void SphereCover::remove(std::size_t ball, std::vector<bool>& changed) {
+  const PointList orphans = pointsOnlyIn(ball);
+  std::vector<bool> self(balls_.size());
+  self[ball] = true;
+  std::vector<std::size_t> neighbours = around(self);
+  std::erase(neighbours, ball);
+  if (neighbours.empty()) {
+    neighbours.resize(balls_.size());
+    std::iota(neighbours.begin(), neighbours.end(), std::size_t(0));
+  }
+  replace(ball, {noBall, 0});
+  std::vector<std::pair<std::size_t, glm::vec3>> adopted;
+  for (const glm::vec3& point : orphans)
+    adopted.emplace_back(cheapestToGrow(neighbours, point), point);
+  std::stable_sort(adopted.begin(), adopted.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto begin = adopted.begin(); begin != adopted.end();) {
+    const std::size_t parent = begin->first;
+    PointList points = pointsOnlyIn(parent);
+    for (; begin != adopted.end() && begin->first == parent; ++begin)
+      points.push_back(begin->second);
+    replace(parent, fit(points, balls_[parent].center));
+    changed[parent] = true;
+  }
+}
+
+void SphereCover::teleport(std::size_t from, std::size_t divided) {
+  std::vector<bool> changed(balls_.size());
+  remove(from, changed);
+  const Split split = trySplit(divided);
+  if (split.gain == -never) return;
+  replace(divided, split.parts[0]);
+  replace(from, split.parts[1]);
+  changed[divided] = changed[from] = true;
+  settle(changed);
 }
 
 /// Halves the ball's points by 2-means, from two points far from each other.
@@ -164,34 +277,9 @@ SphereCover::Split SphereCover::trySplit(std::size_t ball) const {
       centers[i] /= double(parts[i].size());
     }
   }
-  for (int i = 0; i < 2; ++i) result.parts[i] = fit(parts[i], balls_[ball].center);
+  for (int i = 0; i < 2; ++i) result.parts[i] = fit(parts[i], centers[i]);
   result.gain = costs_[ball] - result.parts[0].cost - result.parts[1].cost;
   return result;
-}
-
-/// The cheapest union with one of the three neighbours that overlap it most.
-SphereCover::Merge SphereCover::tryMerge(std::size_t ball) const {
-  std::vector<double> overlaps(balls_.size(), -never);
-  for (std::size_t i = 0; i < balls_.size(); ++i)
-    if (i != ball && balls_[i].radius >= 0)
-      overlaps[i] = balls_[i].radius - glm::distance(balls_[i].center, balls_[ball].center);
-  const auto order = largestFirst(overlaps);
-  Merge best{.first = ball, .second = ball, .whole = {}, .loss = never};
-  for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
-    const std::size_t other = order[k];
-    if (overlaps[other] == -never) break;
-    const PointList points = pointsOnlyIn(ball, other);
-    if (points.empty()) continue;
-    const Fit whole = fit(points, (balls_[ball].center + balls_[other].center) / 2.0);
-    const double loss = whole.cost - costs_[ball] - costs_[other];
-    if (loss < best.loss) best = {ball, other, whole, loss};
-  }
-  return best;
-}
-
-void SphereCover::apply(const Split& split) {
-  add(split.parts[1]);
-  replace(split.ball, split.parts[0]);
 }
 
 void SphereCover::splitUpTo(std::size_t count) {
@@ -202,56 +290,23 @@ void SphereCover::splitUpTo(std::size_t count) {
     for (const Split& split : splits) gains.push_back(split.gain);
     const std::size_t before = balls_.size();
     for (const std::size_t i : largestFirst(gains)) {
-      if (!(gains[i] > 0) || balls_.size() == count) break;
-      apply(splits[i]);
+      // Rounding makes a ball within the solid cost a little.
+      if (balls_.size() == count) break;
+      if (!(gains[i] > leastGain * std::pow(balls_[i].radius, 3))) continue;
+      add(splits[i].parts[1]);
+      replace(i, splits[i].parts[0]);
     }
     if (balls_.size() == before) return;
   }
 }
 
-void SphereCover::exchange() {
-  const std::size_t count = balls_.size();
-  const auto merges = computeForAll<Merge>(count, [&](std::size_t i) { return tryMerge(i); });
-  const auto splits = computeForAll<Split>(count, [&](std::size_t i) { return trySplit(i); });
-  std::vector<double> savings, gains;
-  for (const Merge& merge : merges) savings.push_back(-merge.loss);
-  for (const Split& split : splits) gains.push_back(split.gain);
-  const auto mergeOrder = largestFirst(savings), splitOrder = largestFirst(gains);
-
-  std::vector<bool> changed(count);
-  auto nextSplit = splitOrder.begin();
-  for (const std::size_t i : mergeOrder) {
-    nextSplit =
-        std::find_if(nextSplit, splitOrder.end(), [&](std::size_t s) { return !changed[s]; });
-    const double gain = nextSplit == splitOrder.end() ? 0 : std::max(gains[*nextSplit], 0.0);
-    if (merges[i].loss >= gain) break;
-    if (changed[i] || changed[merges[i].second]) continue;
-    const Merge merge = tryMerge(i);  // its neighbours may have changed since
-    if (changed[merge.second]) continue;
-    if (merge.loss < 0) {
-      replace(merge.first, merge.whole);
-      replace(merge.second, {noBall, 0});
-    } else {
-      if (nextSplit == splitOrder.end()) break;
-      const std::size_t divided = *nextSplit;
-      if (divided == merge.first || divided == merge.second) continue;
-      const Split split = trySplit(divided);
-      if (split.gain <= merge.loss) continue;
-      changed[divided] = true;
-      replace(merge.first, merge.whole);
-      replace(merge.second, split.parts[1]);
-      replace(divided, split.parts[0]);
-    }
-    changed[merge.first] = changed[merge.second] = true;
-  }
-  removeEmptyBalls();
-}
-
-std::size_t SphereCover::cheapestToGrow(const glm::vec3& point) const {
+std::size_t SphereCover::cheapestToGrow(std::span<const std::size_t> among,
+                                        const glm::vec3& point) const {
   std::size_t best = 0;
   double smallestGrowth = never;
-  for (std::size_t b = 0; b < balls_.size(); ++b) {
+  for (const std::size_t b : among) {
     const double radius = balls_[b].radius;
+    if (radius < 0) continue;
     const double needed = glm::distance(glm::dvec3(point), balls_[b].center);
     const double growth = needed * needed * needed - radius * radius * radius;
     if (growth >= smallestGrowth) continue;
@@ -262,24 +317,26 @@ std::size_t SphereCover::cheapestToGrow(const glm::vec3& point) const {
 }
 
 void SphereCover::addPoints(std::span<const glm::vec3> points) {
-  std::vector<glm::vec3> all = points_.points();
+  std::vector<glm::vec3> all = points_->points();
   all.insert(all.end(), points.begin(), points.end());
-  points_ = PointBlocks(std::move(all));
-  coverCounts_.assign(points_.points().size(), 0);
+  points_ = std::make_shared<const PointBlocks>(std::move(all));
+  coverCounts_.assign(points_->points().size(), 0);
   for (const Ball& ball : balls_) countCovers(ball, +1);
 
+  std::vector<std::size_t> everyBall(balls_.size());
+  std::iota(everyBall.begin(), everyBall.end(), std::size_t(0));
   const auto growing = computeForAll<std::size_t>(coverCounts_.size(), [&](std::size_t i) {
-    return coverCounts_[i] > 0 ? balls_.size() : cheapestToGrow(points_.points()[i]);
+    return coverCounts_[i] > 0 ? balls_.size() : cheapestToGrow(everyBall, points_->points()[i]);
   });
   for (std::size_t i = 0; i < growing.size(); ++i) {
     if (growing[i] == balls_.size()) continue;
     Ball& ball = balls_[growing[i]];
     ball.radius =
-        std::max(ball.radius, std::sqrt(squaredDistance(points_.points()[i], ball.center)));
+        std::max(ball.radius, std::sqrt(squaredDistance(points_->points()[i], ball.center)));
   }
   coverCounts_.assign(coverCounts_.size(), 0);
   for (std::size_t b = 0; b < balls_.size(); ++b) {
-    costs_[b] = solid_.outsideVolume(balls_[b]);
+    costs_[b] = costOf(balls_[b]);
     countCovers(balls_[b], +1);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -13,31 +14,39 @@ namespace haarlight {
 
 /// Balls that together cover given points, made to bulge as little as possible out of a solid.
 ///
-/// The cost of a ball is its volume outside the solid. Every change keeps all points covered and,
-/// but for addPoints, lowers the sum of the costs. The result does not depend on the number of
-/// threads.
+/// The cost of a ball is its volume outside the solid. Points that several balls cover tie none of
+/// them down, so a ball has to hold only the points that no other does. A cover is a value: a copy
+/// can be changed and thrown away.
 class SphereCover {
  public:
-  /// Starts with one ball per group; `groups` holds one number below `groupCount` for each point.
-  SphereCover(std::span<const glm::vec3> points, std::span<const std::uint32_t> groups,
+  /// One ball per group; `groups` holds one number below `groupCount` for each point.
+  SphereCover(std::shared_ptr<const PointBlocks> points, std::span<const std::uint32_t> groups,
               std::size_t groupCount, const SolidGrid& solid);
 
-  /// Goes through the balls once: each moves to where it covers the points that no other ball
-  /// covers at the least cost. Balls that nothing needs disappear.
+  /// From now on, balls are placed more exactly, which takes twice as long.
+  void polishFits() { polished_ = true; }
+  bool polishesFits() const { return polished_; }
+
+  /// Goes through the balls once: each moves to where it covers its points at the least cost.
   void refit();
 
-  /// Splits the balls where that gains most until there are `count`.
+  /// Splits the balls where that gains most until there are `count`; fewer where none gains.
   void splitUpTo(std::size_t count);
 
-  /// Goes through the balls once: where merging two neighbours loses less than splitting another
-  /// ball gains, does both; where merging gains, it needs no split.
-  void exchange();
+  /// Takes the ball `from` away, divides the ball `divided` in two, and lets the balls around both
+  /// places settle.
+  void teleport(std::size_t from, std::size_t divided);
 
   /// Also covers these points: the balls that are nearest in terms of volume grow.
   void addPoints(std::span<const glm::vec3> points);
 
   double cost() const;
+  double cost(std::size_t ball) const { return costs_[ball]; }
+  /// Part of the points in the ball that no other ball covers.
+  double exclusiveShare(std::size_t ball) const;
+  /// A radius below zero marks a ball without a task, after teleport.
   const std::vector<Ball>& balls() const { return balls_; }
+  const std::shared_ptr<const PointBlocks>& points() const { return points_; }
 
  private:
   using PointList = std::vector<glm::vec3>;
@@ -51,32 +60,27 @@ class SphereCover {
     Fit parts[2];
     double gain = 0;
   };
-  /// Two balls made one.
-  struct Merge {
-    std::size_t first = 0, second = 0;
-    Fit whole;
-    double loss = 0;
-  };
 
   Fit fit(const PointList& points, const glm::dvec3& start) const;
-  Fit descend(const PointList& points, const glm::dvec3& start) const;
-  Fit fitAround(const PointList& points, const glm::dvec3& center) const;
-  /// The points that no other ball covers.
-  PointList pointsOnlyIn(std::size_t ball) const;
-  PointList pointsOnlyIn(std::size_t first, std::size_t second) const;
-  std::size_t cheapestToGrow(const glm::vec3& point) const;
+  double costOf(const Ball& ball) const;
+  PointList pointsOnlyIn(std::size_t ball, std::uint64_t* checksum = nullptr) const;
+  std::size_t cheapestToGrow(std::span<const std::size_t> among, const glm::vec3& point) const;
+  std::vector<std::size_t> around(const std::vector<bool>& changed) const;
+  void remove(std::size_t ball, std::vector<bool>& changed);
   Split trySplit(std::size_t ball) const;
-  Merge tryMerge(std::size_t ball) const;
-  void apply(const Split& split);
+  bool refit(std::size_t ball);
+  void settle(std::vector<bool>& changed);
   void replace(std::size_t ball, const Fit& by);
   void add(const Fit& fit);
   void countCovers(const Ball& ball, int change);
   void removeEmptyBalls();
 
-  PointBlocks points_;
-  const SolidGrid& solid_;
+  std::shared_ptr<const PointBlocks> points_;
+  const SolidGrid* solid_;
+  bool polished_ = false;
   std::vector<Ball> balls_;  ///< a radius below zero marks a ball without a task
   std::vector<double> costs_;
+  std::vector<std::uint64_t> fittedTo_;     ///< checksum of the points at a ball's last refit
   std::vector<std::uint16_t> coverCounts_;  ///< number of balls around each point
 };
 

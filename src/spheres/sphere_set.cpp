@@ -1,5 +1,6 @@
 #include "spheres/sphere_set.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -7,15 +8,17 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "scene/json_text.h"
+#include "scene/names.h"
 
 namespace haarlight {
 
 namespace {
 
 using nlohmann::json;
+using nlohmann::ordered_json;
 
 constexpr const char* formatName = "haarlight-spheres";
-constexpr int formatVersion = 1;
+constexpr int formatVersion = 2;
 constexpr std::uint64_t largestFile = std::uint64_t(64) << 20;
 
 /// A value in the file together with its place, such as /spheres/3/radius.
@@ -81,7 +84,12 @@ class Field {
     return number;
   }
 
-  bool isNull() const { return value_.is_null(); }
+  /// What `read` gives for a value, none for null.
+  template <typename Read>
+  auto unlessNull(const Read& read) const -> std::optional<decltype(read(*this))> {
+    if (value_.is_null()) return std::nullopt;
+    return read(*this);
+  }
 
  private:
   const std::filesystem::path& file_;
@@ -99,33 +107,65 @@ Sphere readSphere(const Field& field) {
   return sphere;
 }
 
-SphereMeasures readMeasures(const Field& field) {
+FitObjective readObjective(const Field& field) {
+  const std::string name = field.text();
+  const auto named = std::ranges::find(fitObjectiveNames, name, &Named<FitObjective>::name);
+  if (named == fitObjectiveNames.end()) field.fail("must be 'cover' or 'shadow'");
+  return named->choice;
+}
+
+SilhouetteError readSilhouette(const Field& field) {
+  const auto part = [&](const char* name) { return field.member(name).atLeastZero(); };
+  return {part("mean"), part("worst"), part("over"), part("under")};
+}
+
+/// `version`: of the file's format; the first one has two measures.
+SphereMeasures readMeasures(const Field& field, std::uint64_t version) {
+  const auto ratio = [&](const char* name) {
+    return field.member(name).unlessNull([](const Field& value) { return value.atLeastZero(); });
+  };
   SphereMeasures measures;
   const Field covered = field.member("coveredFraction");
-  const Field ratio = field.member("outsideVolumeRatio");
   measures.coveredFraction = covered.atLeastZero();
   if (measures.coveredFraction > 1) covered.fail("must be at most one");
-  if (!ratio.isNull()) measures.outsideVolumeRatio = ratio.atLeastZero();
+  measures.outsideVolumeRatio = ratio("outsideVolumeRatio");
+  if (version == 1) return measures;
+  measures.unionOutsideRatio = ratio("unionOutsideRatio");
+  measures.uncoveredVolumeRatio = ratio("uncoveredVolumeRatio");
+  measures.silhouette = field.member("silhouette").unlessNull(readSilhouette);
   return measures;
 }
 
-SphereSet readFields(const Field& root) {
+std::uint64_t readVersion(const Field& root) {
   if (root.member("format").text() != formatName)
     root.member("format").fail("must be '" + std::string(formatName) + "'");
-  if (root.member("version").unsignedInteger() != formatVersion)
-    root.member("version").fail("must be " + std::to_string(formatVersion));
+  const Field field = root.member("version");
+  const std::uint64_t version = field.unsignedInteger();
+  if (version < 1 || version > formatVersion)
+    field.fail("must be from 1 to " + std::to_string(formatVersion));
+  return version;
+}
+
+std::vector<Sphere> readSpheres(const Field& field) {
+  const std::size_t count = field.arraySize();
+  if (count == 0 || count > maximumSphereCount)
+    field.fail("must hold 1 to " + std::to_string(maximumSphereCount) + " spheres, not " +
+               std::to_string(count));
+  std::vector<Sphere> spheres;
+  for (std::size_t i = 0; i < count; ++i) spheres.push_back(readSphere(field.element(i)));
+  return spheres;
+}
+
+SphereSet readFields(const Field& root) {
+  const std::uint64_t version = readVersion(root);
   SphereSet set;
   set.meshName = root.member("mesh").member("name").text();
   set.meshHash = root.member("mesh").member("hash").hexadecimal();
+  if (version > 1) set.objective = readObjective(root.member("objective"));
   set.method = root.member("method").text();
   set.seed = root.member("seed").unsignedInteger();
-  set.measures = readMeasures(root.member("measures"));
-  const Field spheres = root.member("spheres");
-  const std::size_t count = spheres.arraySize();
-  if (count == 0 || count > maximumSphereCount)
-    spheres.fail("must hold 1 to " + std::to_string(maximumSphereCount) + " spheres, not " +
-                 std::to_string(count));
-  for (std::size_t i = 0; i < count; ++i) set.spheres.push_back(readSphere(spheres.element(i)));
+  set.measures = readMeasures(root.member("measures"), version);
+  set.spheres = readSpheres(root.member("spheres"));
   return set;
 }
 
@@ -134,6 +174,24 @@ std::string hexadecimal(std::uint64_t number) {
   for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, number /= 16)
     *digit = "0123456789abcdef"[number % 16];
   return digits;
+}
+
+ordered_json valueOrNull(const std::optional<double>& number) {
+  return number ? ordered_json(*number) : ordered_json(nullptr);
+}
+
+ordered_json measuresJson(const SphereMeasures& measures) {
+  ordered_json fields{{"coveredFraction", measures.coveredFraction},
+                      {"outsideVolumeRatio", valueOrNull(measures.outsideVolumeRatio)},
+                      {"unionOutsideRatio", valueOrNull(measures.unionOutsideRatio)},
+                      {"uncoveredVolumeRatio", valueOrNull(measures.uncoveredVolumeRatio)},
+                      {"silhouette", nullptr}};
+  if (const auto& error = measures.silhouette)
+    fields["silhouette"] = {{"mean", error->mean},
+                            {"worst", error->worst},
+                            {"over", error->over},
+                            {"under", error->under}};
+  return fields;
 }
 
 }  // namespace
@@ -146,21 +204,19 @@ SphereSet readSphereSet(const std::filesystem::path& path) {
 }
 
 void writeSphereSet(const std::filesystem::path& path, const SphereSet& set) {
-  nlohmann::ordered_json root;
+  ordered_json root;
   root["format"] = formatName;
   root["version"] = formatVersion;
   root["mesh"] = {{"name", set.meshName}, {"hash", hexadecimal(set.meshHash)}};
+  root["objective"] = nameOf(set.objective);
   root["method"] = set.method;
   root["seed"] = set.seed;
-  root["measures"]["coveredFraction"] = set.measures.coveredFraction;
-  root["measures"]["outsideVolumeRatio"] = nullptr;
-  if (set.measures.outsideVolumeRatio)
-    root["measures"]["outsideVolumeRatio"] = *set.measures.outsideVolumeRatio;
+  root["measures"] = measuresJson(set.measures);
   for (const Sphere& sphere : set.spheres) {
     const glm::vec3& c = sphere.center;
     root["spheres"].push_back({{"center", {c.x, c.y, c.z}}, {"radius", sphere.radius}});
   }
-  const auto replaceInvalid = nlohmann::ordered_json::error_handler_t::replace;  // in the name
+  const auto replaceInvalid = ordered_json::error_handler_t::replace;  // in the name
   writeFileAtomically(path, root.dump(1, ' ', false, replaceInvalid) + "\n");
 }
 

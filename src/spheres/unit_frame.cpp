@@ -22,4 +22,11 @@ TriangleMesh UnitFrame::toUnit(const TriangleMesh& mesh) const {
   return result;
 }
 
+std::vector<Sphere> UnitFrame::toUnit(std::span<const Sphere> spheres) const {
+  std::vector<Sphere> result(spheres.begin(), spheres.end());
+  for (Sphere& sphere : result)
+    sphere = {toUnit(sphere.center), static_cast<float>(sphere.radius * scale_)};
+  return result;
+}
+
 }  // namespace haarlight

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
+#include <vector>
 
 #include "mesh/triangle_mesh.h"
+#include "visibility/sphere.h"
 
 namespace haarlight {
 
@@ -21,6 +24,7 @@ class UnitFrame {
   double scale() const { return scale_; }
 
   TriangleMesh toUnit(const TriangleMesh& mesh) const;
+  std::vector<Sphere> toUnit(std::span<const Sphere> spheres) const;
 
  private:
   glm::dvec3 center_;

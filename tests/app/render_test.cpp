@@ -113,12 +113,12 @@ TEST_CASE("the exposure of a PNG does not change the EXR") {
 
 TEST_CASE("open and non-manifold meshes work, with a warning") {
   const TemporaryFolder folder;
-  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  const Outcome open = renderMesh(triangle, folder);
+  const std::string bent = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\n";
+  const Outcome open = renderMesh(bent, folder);
   CHECK(open.exitCode == 0);
   CHECK(contains(open.errors, "haarlight: warning: "));
-  CHECK(contains(open.errors, "mesh.obj: 3 boundary edges: the surface is open"));
-  const Outcome fan = renderMesh(triangle + "v 0 -1 0\nv 0 0 1\nf 2 1 4\nf 1 2 5\n", folder);
+  CHECK(contains(open.errors, "mesh.obj: 4 boundary edges: the surface is open"));
+  const Outcome fan = renderMesh(bent + "v 0 -1 0\nf 1 2 5\n", folder);
   CHECK(fan.exitCode == 0);
   CHECK(contains(fan.errors, "mesh.obj: 1 edges of more than two triangles"));
   CHECK(std::filesystem::exists(folder / "picture.png"));

@@ -33,6 +33,8 @@ TEST_CASE("a PNG holds the sRGB values of the image") {
   REQUIRE(components == 3);
   const std::array<int, 12> expected{0, 188, 255, 124, 3, 118, 0, 255, 0, 255, 0, 0};
   for (int i = 0; i < 12; ++i) CHECK(int(pixels.get()[i]) == expected[i]);
+  const auto bytes = encodePng(image);
+  CHECK(std::string(bytes.begin(), bytes.end()) == readFile(folder / "a.png"));
 }
 
 TEST_CASE("what cannot be written is said and leaves nothing") {
@@ -53,6 +55,7 @@ TEST_CASE("layers to write must have one size") {
   CHECK_THROWS_AS(writeExr(folder / "x", {{"", small}, {"b", large}}), std::invalid_argument);
   CHECK_THROWS_AS(writeExr(folder / "x", {{"", empty}}), std::invalid_argument);
   CHECK_THROWS_AS(writePng(folder / "x", empty), std::invalid_argument);
+  CHECK_THROWS_AS(encodePng(empty), std::invalid_argument);
 }
 
 }  // namespace haarlight::test

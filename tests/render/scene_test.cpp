@@ -31,6 +31,7 @@ SceneDescription sphereScene() {
 
 TEST_CASE("meshes and spheres are moved into the world together") {
   SceneDescription description = sphereScene();
+  description.objects[0].objective = FitObjective::cover;
   TransformDescription& transform = description.objects[0].transform;
   transform.scale = {2, 2, 2};
   transform.rotateDegrees = {10, 20, 30};
@@ -47,6 +48,7 @@ TEST_CASE("meshes and spheres are moved into the world together") {
 TEST_CASE("spheres still cover a mesh that is stretched unevenly") {
   SceneDescription description = sphereScene();
   description.objects[0].spheres = 12;
+  description.objects[0].objective = FitObjective::cover;
   description.objects[0].transform.scale = {1, 3, 0.5};
   const Scene scene = loadScene(description);
   for (const glm::vec3& position : scene.objects[0].mesh.positions) {

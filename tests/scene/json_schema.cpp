@@ -62,6 +62,7 @@ bool JsonSchema::allowsBy(const std::string& keyword, const Json& schema, const 
   if (keyword == "enum") return std::count(operand.begin(), operand.end(), value) > 0;
   if (keyword == "minimum") return !value.is_number() || value >= operand;
   if (keyword == "maximum") return !value.is_number() || value <= operand;
+  if (keyword == "exclusiveMinimum") return !value.is_number() || value > operand;
   if (keyword == "minLength") return !value.is_string() || characterCount(value) >= operand;
   if (keyword == "maxLength") return !value.is_string() || characterCount(value) <= operand;
   if (keyword == "pattern")

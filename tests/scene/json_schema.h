@@ -5,7 +5,7 @@
 
 namespace haarlight::test {
 
-/// The part of JSON Schema (draft 2020-12) that docs/scene.schema.json uses.
+/// The part of JSON Schema (draft 2020-12) that the schemas in docs use.
 class JsonSchema {
  public:
   explicit JsonSchema(const nlohmann::json& root) : root_(root) {}

@@ -9,18 +9,47 @@
 
 #include "mesh/builtin_meshes.h"
 #include "mesh/random.h"
+#include "spheres/random_spheres.h"
 
 using namespace haarlight;
+using namespace haarlight::test;
 
 namespace {
 
-double radiusOf(const std::vector<glm::vec3>& points) {
-  return minimumEnclosingBall(points).radius;
+std::vector<Sphere> asSpheres(const std::vector<glm::vec3>& points) {
+  std::vector<Sphere> spheres;
+  for (const glm::vec3& point : points) spheres.push_back({point, 0});
+  return spheres;
+}
+
+/// Of the smallest ball with this centre around all spheres.
+double radiusAround(const std::vector<Sphere>& spheres, const glm::dvec3& center) {
+  double radius = 0;
+  for (const Sphere& sphere : spheres)
+    radius = std::max(radius, glm::distance(glm::dvec3(sphere.center), center) + sphere.radius);
+  return radius;
+}
+
+/// Contains all spheres, and cannot be moved to a smaller ball that does. The radius needed around
+/// a centre is a convex function: a local minimum is the minimum.
+void checkSmallest(const Ball& ball, const std::vector<Sphere>& spheres) {
+  CHECK(radiusAround(spheres, ball.center) <= ball.radius * (1 + 1e-12));
+  Random random(3);
+  int smaller = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double step = ball.radius * std::pow(10.0, -1 - 2 * (i % 3));
+    smaller += radiusAround(spheres, ball.center + step * randomDirection(random)) <
+               ball.radius * (1 - 1e-9);
+  }
+  CHECK(smaller == 0);
 }
 
 }  // namespace
 
 TEST_CASE("enclosing balls of point sets with known ones") {
+  const auto radiusOf = [](const std::vector<glm::vec3>& points) {
+    return minimumEnclosingBall(points).radius;
+  };
   CHECK(radiusOf({}) == 0);
   CHECK(radiusOf({{1, 2, 3}}) == 0);
   CHECK(radiusOf({{1, 2, 3}, {1, 2, 3}}) == 0);
@@ -48,20 +77,37 @@ TEST_CASE("the enclosing ball contains all points and cannot be moved to a small
     for (int i = 0; i < 100; ++i) {
       const double x = random.uniform(), y = random.uniform(), z = random.uniform();
       points.emplace_back(x, y * y, round % 2 ? 0 : z);
+      if (round % 5 == 4) points.back() = glm::round(3.0f * points.back());  // many on one ball
     }
-    const Ball ball = minimumEnclosingBall(points);
-    const auto radiusAround = [&](const glm::dvec3& center) {
-      double largest = 0;
-      for (const auto& point : points)
-        largest = std::max(largest, glm::distance(glm::dvec3(point), center));
-      return largest;
-    };
-    CHECK(radiusAround(ball.center) <= ball.radius * (1 + 1e-9));
-    // The largest distance is a convex function of the centre: a local minimum is the minimum.
-    for (int i = 0; i < 6; ++i) {
-      glm::dvec3 moved = ball.center;
-      moved[i / 2] += i % 2 ? 1e-4 : -1e-4;
-      CHECK(radiusAround(moved) >= ball.radius * (1 - 1e-9));
-    }
+    checkSmallest(minimumEnclosingBall(points), asSpheres(points));
+  }
+}
+
+TEST_CASE("enclosing balls of few spheres are the known ones") {
+  const auto radiusOf = [](const std::vector<Sphere>& spheres) {
+    return minimumEnclosingBall(spheres).radius;
+  };
+  CHECK(radiusOf({{{0, 0, 0}, 1}, {{5, 0, 0}, 2}}) == doctest::Approx(4).epsilon(1e-6));
+  CHECK(minimumEnclosingBall(std::vector<Sphere>{{{0, 0, 0}, 1}, {{5, 0, 0}, 2}}).center.x ==
+        doctest::Approx(3).epsilon(1e-6));
+  const float side = std::sqrt(3.0f);
+  CHECK(radiusOf({{{2, 0, 0}, 0.5f}, {{-1, side, 0}, 0.5f}, {{-1, -side, 0}, 0.5f}}) ==
+        doctest::Approx(2.5).epsilon(1e-6));
+  CHECK(radiusOf({{{1, 1, 1}, 1}, {{1, -1, -1}, 1}, {{-1, 1, -1}, 1}, {{-1, -1, 1}, 1}}) ==
+        doctest::Approx(1 + std::sqrt(3.0)).epsilon(1e-6));
+  // Spheres of radii 1, 2, 3 that touch each other: the first stays inside the ball of the others.
+  CHECK(radiusOf({{{0, 0, 0}, 1}, {{3, 0, 0}, 2}, {{0, 4, 0}, 3}}) ==
+        doctest::Approx(5).epsilon(1e-6));
+  // Radii 2, 2, 3 touch each other: Descartes' circle theorem.
+  const double bend = 1 / 2.0 + 1 / 2.0 + 1 / 3.0;
+  const double bends = 2 * std::sqrt(1 / 4.0 + 1 / 6.0 + 1 / 6.0);
+  CHECK(radiusOf({{{-2, 0, 0}, 2}, {{2, 0, 0}, 2}, {{0, std::sqrt(21.0f), 0}, 3}}) ==
+        doctest::Approx(1 / (bends - bend)).epsilon(1e-6));
+}
+
+TEST_CASE("the enclosing ball contains all spheres and cannot be moved to a smaller one") {
+  for (std::uint64_t round = 0; round < 60; ++round) {
+    const std::vector<Sphere> spheres = randomSpheres(round % 2 ? 3 + round % 3 : 40, round);
+    checkSmallest(minimumEnclosingBall(spheres), spheres);
   }
 }

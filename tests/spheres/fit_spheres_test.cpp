@@ -1,183 +1,183 @@
 #include "spheres/fit_spheres.h"
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 #include <vector>
 
-#include "base/error.h"
 #include "base/parallel.h"
-#include "mesh/builtin_meshes.h"
 #include "mesh/mesh_file.h"
 #include "mesh/mesh_measures.h"
-#include "mesh/mesh_transform.h"
+#include "spheres/fit_shapes.h"
+#include "spheres/silhouette_error.h"
+#include "spheres/sphere_measures.h"
 #include "test_support.h"
 
 using namespace haarlight;
+using namespace haarlight::test;
 
 namespace {
 
-bool isCovered(const glm::vec3& point, const std::vector<Sphere>& spheres) {
-  return std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& sphere) {
-    return glm::distance(point, sphere.center) <= sphere.radius;
-  });
+constexpr auto cover = FitObjective::cover, shadow = FitObjective::shadow;
+
+double coveredPart(const std::vector<glm::vec3>& points, const std::vector<Sphere>& spheres) {
+  const auto covered = std::ranges::count_if(
+      points, [&](const glm::vec3& point) { return isCovered(point, spheres); });
+  return double(covered) / double(points.size());
 }
 
-/// Number of used vertices and triangle centres outside all spheres, in float.
-int uncovered(const TriangleMesh& mesh, const std::vector<Sphere>& spheres) {
-  int count = 0;
-  for (const auto& t : mesh.triangles) {
-    const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
-    for (const glm::vec3& point : {a, b, c, (a + b + c) / 3.0f})
-      count += !isCovered(point, spheres);
-  }
-  return count;
+/// Every vertex and triangle centre, and nearly all else of surface and inside.
+void checkCovers(const SphereSet& set, const TriangleMesh& mesh) {
+  CHECK(uncovered(mesh, set.spheres) == 0);
+  CHECK(coveredPart(sampleSurface(mesh, 20000, 99), set.spheres) > 0.999);
+  CHECK(coveredPart(sampleInterior(mesh, 10000, 99), set.spheres) > 0.9999);
 }
 
-TriangleMesh scaled(const TriangleMesh& mesh, float factor, const glm::vec3& offset = {}) {
-  return transformed(mesh, glm::scale(glm::translate(glm::mat4(1), offset), glm::vec3(factor)));
+/// The measures are those that other random numbers give.
+void checkMeasures(const SphereSet& set, const TriangleMesh& mesh) {
+  const SilhouetteError error = silhouetteError(mesh, set.spheres, {.seed = 77});
+  CHECK(set.measures.silhouette->mean == doctest::Approx(error.mean).epsilon(0.04));
+  CHECK(std::abs(set.measures.silhouette->under - error.under) < 0.04 * error.mean);
+  const auto volumes = volumeMeasures(mesh, set.spheres, 200000, 77);
+  CHECK(*set.measures.outsideVolumeRatio ==
+        doctest::Approx(volumes->summedOutside).epsilon(0.03).scale(1));
+  CHECK(*set.measures.unionOutsideRatio <= *set.measures.outsideVolumeRatio);
+  CHECK(set.measures.coveredFraction ==
+        doctest::Approx(coveredFraction(mesh, set.spheres, 50000, 77)).epsilon(0.01));
 }
 
-TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
-  const auto offset = static_cast<std::uint32_t>(a.positions.size());
-  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  a.normals.insert(a.normals.end(), b.normals.begin(), b.normals.end());
-  for (const auto& t : b.triangles) a.triangles.push_back(t + offset);
-  return a;
+/// Both objectives with the same number of spheres, each better at what it makes small.
+void checkObjectives(const TriangleMesh& mesh, std::size_t count) {
+  const SphereSet covering = fitFor(cover, mesh, count).set;
+  CHECK(covering.objective == cover);
+  CHECK(covering.spheres.size() <= count);
+  checkCovers(covering, mesh);
+  checkMeasures(covering, mesh);
+  const SphereSet shading = fitFor(shadow, mesh, count).set;
+  CHECK(shading.objective == shadow);
+  CHECK(shading.spheres.size() <= count);
+  checkMeasures(shading, mesh);
+  const SilhouetteError error = *shading.measures.silhouette;
+  MESSAGE("silhouette errors: cover ", covering.measures.silhouette->mean, ", shadow ", error.mean,
+          " (over ", error.over, ", under ", error.under, ")");
+  CHECK(error.mean < covering.measures.silhouette->mean / 2);
+  CHECK(error.over < 3 * error.under);
+  CHECK(error.under < 3 * error.over);
 }
 
-void checkSame(const SphereSet& a, const SphereSet& b) {
-  REQUIRE(a.spheres.size() == b.spheres.size());
-  for (std::size_t i = 0; i < a.spheres.size(); ++i) {
-    CHECK(a.spheres[i].center == b.spheres[i].center);
-    CHECK(a.spheres[i].radius == b.spheres[i].radius);
-  }
+/// The spheres of a mesh that was turned, scaled by `factor` and moved, where the mesh was before.
+std::vector<Sphere> movedBack(std::vector<Sphere> spheres, const glm::mat4& matrix, float factor) {
+  const glm::dmat4 back = glm::inverse(glm::dmat4(matrix));
+  for (Sphere& sphere : spheres)
+    sphere = {glm::vec3(back * glm::dvec4(sphere.center, 1)), sphere.radius / factor};
+  return spheres;
+}
+
+/// A small body beside a larger one.
+TriangleMesh twoBodies() {
+  return combined(blob(2, 1), scaled(blob(3, 1), 0.5f, {3, 1, 0}));
+}
+
+/// With coordinates of so few binary digits that they can be moved without rounding.
+TriangleMesh coarse(TriangleMesh mesh) {
+  for (glm::vec3& position : mesh.positions) position = glm::round(position * 4096.0f) / 4096.0f;
+  return mesh;
+}
+
+double outsideRatio(const TriangleMesh& mesh, const std::vector<Sphere>& spheres) {
+  return volumeMeasures(mesh, spheres, 400000, 5)->summedOutside;
 }
 
 }  // namespace
 
-TEST_CASE("one sphere around a fine sphere is that sphere") {
-  const TriangleMesh sphere = scaled(icosphere(4), 2, {1, 2, 3});
-  const SphereSet set = fitSpheres(sphere, 1);
-  REQUIRE(set.spheres.size() == 1);
-  CHECK(glm::distance(set.spheres[0].center, glm::vec3(1, 2, 3)) < 2e-3f);
-  CHECK(set.spheres[0].radius == doctest::Approx(2).epsilon(1e-3));
-  // The volume between the triangles and the sphere: E = V(sphere) / V(mesh) - 1 = 0.00217.
-  const double ratio = 4.0 / 3 * 3.14159265 * 8 / signedVolume(sphere) - 1;
-  CHECK(*set.measures.outsideVolumeRatio == doctest::Approx(ratio).epsilon(0.5));
-  CHECK(set.measures.coveredFraction == 1);
-  CHECK(set.meshHash == meshHash(sphere));
-  // More spheres cannot do better than the one.
-  CHECK(fitSpheres(sphere, 5).spheres.size() == 1);
+TEST_CASE("32 spheres for a torus knot, to cover it and for its shadow") {
+  checkObjectives(torusKnot(), 32);
 }
 
-TEST_CASE("two spheres far from each other are found") {
-  const TriangleMesh pair =
-      joined(scaled(icosphere(3), 1, {-5, 0, 0}), scaled(icosphere(3), 0.5f, {5, 1, 0}));
-  SphereSet set = fitSpheres(pair, 2);
-  REQUIRE(set.spheres.size() == 2);
-  if (set.spheres[0].center.x > 0) std::swap(set.spheres[0], set.spheres[1]);
-  CHECK(glm::distance(set.spheres[0].center, glm::vec3(-5, 0, 0)) < 0.01f);
-  CHECK(glm::distance(set.spheres[1].center, glm::vec3(5, 1, 0)) < 0.01f);
-  CHECK(set.spheres[0].radius == doctest::Approx(1).epsilon(0.01));
-  CHECK(set.spheres[1].radius == doctest::Approx(0.5).epsilon(0.01));
+TEST_CASE("32 spheres for a random blob, to cover it and for its shadow") {
+  checkObjectives(blob(1, 3), 32);
 }
 
-TEST_CASE("every vertex and triangle centre is covered, and more spheres fit tighter") {
-  const TriangleMesh knot = torusKnot();
-  double last = std::numeric_limits<double>::infinity();
-  for (const std::size_t count : {1, 16, 64}) {
-    const SphereSet set = fitSpheres(knot, count);
-    CHECK(set.spheres.size() <= count);
-    CHECK(uncovered(knot, set.spheres) == 0);
-    CHECK(set.measures.coveredFraction > 0.998);
-    CHECK(*set.measures.outsideVolumeRatio < last);
-    last = *set.measures.outsideVolumeRatio;
-  }
-}
-
-TEST_CASE("surfaces without an inside: one triangle, a flat grid, an open bowl") {
-  const TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {{0, 1, 2}}};
-  for (const std::size_t count : {1, 7, 200}) {
-    const SphereSet set = fitSpheres(triangle, count);
-    CHECK(set.spheres.size() <= count);
-    CHECK(set.spheres.size() >= std::min<std::size_t>(count, 190));
-    CHECK(uncovered(triangle, set.spheres) == 0);
-    CHECK_FALSE(set.measures.outsideVolumeRatio);
-  }
-  // The smallest ball around a right triangle has its longest edge as diameter.
-  CHECK(fitSpheres(triangle, 1).spheres[0].radius == doctest::Approx(std::sqrt(0.5)).epsilon(1e-3));
-
-  const TriangleMesh grid = groundGrid(1, 8);
-  const SphereSet set = fitSpheres(grid, 16);
-  CHECK(uncovered(grid, set.spheres) == 0);
-  // 16 balls can cover the square in a 4 × 4 pattern with the radius √2 / 4 each.
-  double volume = 0;
-  for (const Sphere& sphere : set.spheres) volume += std::pow(sphere.radius, 3);
-  CHECK(volume < 16 * std::pow(std::sqrt(2.0) / 4, 3) * 1.25);
-
-  TriangleMesh bowl = icosphere(3);
-  std::erase_if(bowl.triangles, [&](const auto& t) { return bowl.positions[t.x].y > 0; });
-  CHECK(uncovered(bowl, fitSpheres(bowl, 20).spheres) == 0);
-}
-
-TEST_CASE("the same at any scale and place, from any number of threads") {
-  const TriangleMesh knot = torusKnot({.lengthSegments = 64, .tubeSegments = 8});
-  const SphereSet set = fitSpheres(knot, 10);
-  setThreadCount(1);
-  const SphereSet single = fitSpheres(knot, 10);
-  setThreadCount(5);
-  const SphereSet five = fitSpheres(knot, 10);
-  setThreadCount(0);
-  checkSame(set, single);
-  checkSame(set, five);
-  CHECK(*set.measures.outsideVolumeRatio == *single.measures.outsideVolumeRatio);
-
-  // A power of two changes no digit: then the spheres are the same to the last bit, but for the
-  // rounding of the denormal range, which is not reached.
-  for (const float factor : {0x1p-20f, 0x1p20f}) {
-    SphereSet other = fitSpheres(scaled(knot, factor), 10);
-    for (Sphere& sphere : other.spheres) {
-      sphere.center /= factor;
-      sphere.radius /= factor;
+TEST_CASE("neither threads nor powers of two change a digit of a fit") {
+  const TriangleMesh mesh = twoBodies();
+  for (const FitObjective objective : {cover, shadow}) {
+    setThreadCount(1);
+    const SphereSet set = fitFor(objective, mesh, 3).set;
+    for (const int exponent : {-20, 20}) {
+      const float factor = std::ldexp(1.0f, exponent);
+      setThreadCount(exponent < 0 ? 2 : 3);
+      SphereSet other = fitFor(objective, scaled(mesh, factor), 3).set;
+      for (Sphere& sphere : other.spheres)
+        sphere = {sphere.center / factor, sphere.radius / factor};
+      checkSame(other.spheres, set.spheres);
+      CHECK(other.measures.outsideVolumeRatio == set.measures.outsideVolumeRatio);
+      CHECK(other.measures.silhouette->mean == set.measures.silhouette->mean);
     }
-    checkSame(set, other);
-  }
-  // Otherwise coordinates are rounded, and the search may end elsewhere; it is as good.
-  for (const float factor : {1e-6f, 1e6f}) {
-    const TriangleMesh other = scaled(knot, factor, glm::vec3(2 * factor));
-    const SphereSet otherSet = fitSpheres(other, 10);
-    CHECK(uncovered(other, otherSet.spheres) == 0);
-    CHECK(*otherSet.measures.outsideVolumeRatio ==
-          doctest::Approx(*set.measures.outsideVolumeRatio).epsilon(0.15));
+    setThreadCount(0);
   }
 }
 
-TEST_CASE("progress reaches the end in ascending steps") {
-  std::vector<double> steps;
-  SphereFitOptions options;
-  options.progress = [&](double part) { steps.push_back(part); };
-  fitSpheres(icosphere(2), 2, options);
-  REQUIRE_FALSE(steps.empty());
-  CHECK(std::is_sorted(steps.begin(), steps.end()));
-  CHECK(steps.back() == 1);
+TEST_CASE("another seed gives other spheres that are as good") {
+  const TriangleMesh mesh = blob(2, 2);
+  const SphereSet set = fitFor(cover, mesh, 3).set, other = fitFor(cover, mesh, 3, 1).set;
+  CHECK(set.seed == 0);
+  CHECK(other.seed == 1);
+  CHECK(other.spheres.front().center != set.spheres.front().center);
+  CHECK(outsideRatio(mesh, other.spheres) ==
+        doctest::Approx(outsideRatio(mesh, set.spheres)).epsilon(0.05));
 }
 
-TEST_CASE("requests that make no sense are refused") {
-  CHECK_THROWS_AS(fitSpheres(icosphere(1), 0), InputError);
-  CHECK_THROWS_AS(fitSpheres(icosphere(1), maximumSphereCount + 1), InputError);
-  CHECK_THROWS_AS(fitSpheres(TriangleMesh{}, 4), InputError);
+TEST_CASE("a mesh that is moved without rounding takes its spheres along") {
+  const TriangleMesh mesh = coarse(twoBodies());
+  const glm::mat4 move = glm::translate(glm::mat4(1), glm::vec3(64, -128, 0.5f));
+  for (const FitObjective objective : {cover, shadow}) {
+    const std::vector<Sphere> spheres = fitFor(objective, mesh, 3).set.spheres;
+    const std::vector<Sphere> moved =
+        movedBack(fitFor(objective, transformed(mesh, move), 3).set.spheres, move, 1);
+    REQUIRE(moved.size() == spheres.size());
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+      CHECK(glm::distance(moved[i].center, spheres[i].center) < 3e-5f);
+      CHECK(moved[i].radius == doctest::Approx(spheres[i].radius).epsilon(1e-4));
+    }
+  }
+}
+
+TEST_CASE("a mesh that is moved, turned and scaled is fitted as well") {
+  const TriangleMesh pill = capsule(2, 3), bodies = twoBodies();
+  const auto errorOf = [&](const std::vector<Sphere>& spheres) {
+    return silhouetteError(bodies, spheres).mean;
+  };
+  const double outside = outsideRatio(pill, fitFor(cover, pill, 2).set.spheres);
+  const double error = errorOf(fitFor(shadow, bodies, 2).set.spheres);
+  for (const float factor : {0.3f, 1.4f}) {
+    const glm::mat4 scale = glm::scale(glm::mat4(1), glm::vec3(factor));
+    const glm::mat4 turn = glm::rotate(scale, 2 + factor, glm::vec3(1, -2, 0.5f));
+    const glm::mat4 move = glm::translate(glm::mat4(1), factor * glm::vec3(1, 2, -3)) * turn;
+    const auto fitted = [&](FitObjective objective, const TriangleMesh& mesh) {
+      return movedBack(fitFor(objective, transformed(mesh, move), 2).set.spheres, move, factor);
+    };
+    CHECK(outsideRatio(pill, fitted(cover, pill)) == doctest::Approx(outside).epsilon(0.01));
+    CHECK(errorOf(fitted(shadow, bodies)) == doctest::Approx(error).epsilon(0.01));
+  }
 }
 
 TEST_CASE("64 spheres for the Stanford bunny") {
-  const auto path = test::testData("meshes/bunny.obj");
+  const auto path = testData("meshes/bunny.obj");
   if (!path) return;
   const TriangleMesh bunny = loadMesh(*path).mesh;
-  const SphereSet set = fitSpheres(bunny, 64);
-  CHECK(set.spheres.size() <= 64);
-  CHECK(uncovered(bunny, set.spheres) == 0);
-  CHECK(set.measures.coveredFraction > 0.999);
-  CHECK(*set.measures.outsideVolumeRatio < 0.32);
+  const SphereSet covering = fitFor(cover, bunny, 64).set;
+  CHECK(covering.spheres.size() <= 64);
+  CHECK(uncovered(bunny, covering.spheres) == 0);
+  CHECK(covering.measures.coveredFraction > 0.999);
+  CHECK(*covering.measures.outsideVolumeRatio < 0.30);
+  CHECK(fitFor(shadow, bunny, 64).set.measures.silhouette->mean < 0.045);
+}
+
+TEST_CASE("64 spheres for the armadillo") {
+  const auto path = testData("meshes/armadillo.obj");
+  if (!path) return;
+  CHECK(fitFor(shadow, loadMesh(*path).mesh, 64).set.measures.silhouette->mean < 0.07);
 }
