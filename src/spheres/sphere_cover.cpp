@@ -1,14 +1,12 @@
 #include "spheres/sphere_cover.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "spheres/powell.h"
 #include "spheres/ranking.h"
 
 namespace haarlight {
@@ -24,57 +22,6 @@ double squaredDistance(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::dot(d, d);
 }
 
-/// Points in lanes, to find the farthest from a place quickly.
-class FarthestPoint {
- public:
-  explicit FarthestPoint(std::span<const glm::vec3> points) {
-    groups_.resize((points.size() + lanes - 1) / lanes);
-    for (std::size_t i = 0; i < groups_.size() * lanes; ++i) {
-      const glm::vec3& point = points[std::min(i, points.size() - 1)];
-      for (int axis = 0; axis < 3; ++axis) groups_[i / lanes][axis][i % lanes] = point[axis];
-    }
-  }
-
-  double distanceFrom(const glm::dvec3& place) const {
-    constexpr double roundingOfFloat = 1e-6;
-    const glm::vec3 from(place);
-    std::array<float, lanes> largest{};
-    for (const Group& group : groups_)
-      for (std::size_t i = 0; i < lanes; ++i) {
-        const float x = group[0][i] - from.x, y = group[1][i] - from.y, z = group[2][i] - from.z;
-        const float square = x * x + y * y + z * z;
-        largest[i] = square > largest[i] ? square : largest[i];
-      }
-    const double square = *std::ranges::max_element(largest);
-    // The rounding of the place to float moves it by no more than a unit in its last place.
-    return std::sqrt(square) * (1 + roundingOfFloat) + 2e-7 * glm::length(place);
-  }
-
- private:
-  static constexpr std::size_t lanes = 8;
-  using Group = std::array<std::array<float, lanes>, 3>;
-  std::vector<Group> groups_;
-};
-
-/// Pattern search: the farthest point makes kinks in the cost, at which quadratic models stall.
-template <typename Cost>
-void polish(std::array<double, 3>& place, const Cost& cost, double least, double step,
-            double smallestStep) {
-  while (step > smallestStep) {
-    bool moved = false;
-    for (std::size_t direction = 0; direction < 6; ++direction) {
-      std::array<double, 3> next = place;
-      next[direction / 2] += direction % 2 ? -step : step;
-      const double there = cost(next);
-      if (!(there < least)) continue;
-      least = there;
-      place = next;
-      moved = true;
-    }
-    if (!moved) step /= 2;
-  }
-}
-
 }  // namespace
 
 SphereCover::SphereCover(std::shared_ptr<const PointBlocks> points,
@@ -85,39 +32,10 @@ SphereCover::SphereCover(std::shared_ptr<const PointBlocks> points,
   for (std::size_t i = 0; i < groups.size(); ++i)
     members[groups[i]].push_back(points_->points()[i]);
   std::erase_if(members, [](const PointList& list) { return list.empty(); });
-  const auto fits = computeForAll<Fit>(members.size(), [&](std::size_t i) {
+  const auto fits = computeForAll<BallFit>(members.size(), [&](std::size_t i) {
     return fit(members[i], minimumEnclosingBall(members[i]).center);
   });
-  for (const Fit& one : fits) add(one);
-}
-
-/// Comparable between balls of all sizes.
-double SphereCover::costOf(const Ball& ball) const {
-  constexpr double cellsToEachSide = 12;
-  return solid_->outsideVolume(ball, solid_->levelFor(ball.radius, cellsToEachSide));
-}
-
-/// Powell's method (Wang et al. 2006, §4.2). The level of the grid stays the same during a search,
-/// so that the cost is continuous.
-SphereCover::Fit SphereCover::fit(const PointList& points, const glm::dvec3& start) const {
-  constexpr double cellsToEachSide = 5;
-  const FarthestPoint farthest(points);
-  const double radius = farthest.distanceFrom(start);
-  const int level = solid_->levelFor(radius, cellsToEachSide);
-  const auto ballAt = [&](std::span<const double> place) {
-    const glm::dvec3 center(place[0], place[1], place[2]);
-    return Ball{center, farthest.distanceFrom(center)};
-  };
-  std::array<double, 3> place{start.x, start.y, start.z};
-  const auto volumeAt = [&](std::span<const double> at) {
-    return solid_->outsideVolume(ballAt(at), level);
-  };
-  const double volume = minimizeByPowell(
-      place, volumeAt,
-      {.firstStep = radius / 6, .smallestStep = radius / 100, .mostEvaluations = 50});
-  if (polished_) polish(place, volumeAt, volume, radius / 20, radius / 400);
-  const Ball ball = ballAt(place);
-  return {ball, costOf(ball)};
+  for (const BallFit& one : fits) add(one);
 }
 
 SphereCover::PointList SphereCover::pointsOnlyIn(std::size_t ball, std::uint64_t* checksum) const {
@@ -145,14 +63,14 @@ void SphereCover::countCovers(const Ball& ball, int change) {
   });
 }
 
-void SphereCover::replace(std::size_t ball, const Fit& by) {
+void SphereCover::replace(std::size_t ball, const BallFit& by) {
   countCovers(balls_[ball], -1);
   balls_[ball] = by.ball;
   costs_[ball] = by.cost;
   countCovers(balls_[ball], +1);
 }
 
-void SphereCover::add(const Fit& fit) {
+void SphereCover::add(const BallFit& fit) {
   balls_.push_back(noBall);
   costs_.push_back(0);
   fittedTo_.push_back(0);
@@ -179,7 +97,7 @@ bool SphereCover::refit(std::size_t ball) {
   const PointList points = pointsOnlyIn(ball, &checksum);
   if (checksum == fittedTo_[ball]) return false;
   fittedTo_[ball] = checksum;
-  const Fit better = points.empty() ? Fit{noBall, 0} : fit(points, balls_[ball].center);
+  const BallFit better = points.empty() ? BallFit{noBall, 0} : fit(points, balls_[ball].center);
   if (!points.empty() && !(better.cost < costs_[ball])) return false;
   replace(ball, better);
   return true;
@@ -336,7 +254,7 @@ void SphereCover::addPoints(std::span<const glm::vec3> points) {
   }
   coverCounts_.assign(coverCounts_.size(), 0);
   for (std::size_t b = 0; b < balls_.size(); ++b) {
-    costs_[b] = costOf(balls_[b]);
+    costs_[b] = outsideCost(balls_[b], *solid_);
     countCovers(balls_[b], +1);
   }
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "spheres/ball_fit.h"
 #include "spheres/enclosing_ball.h"
 #include "spheres/point_blocks.h"
 #include "spheres/solid_grid.h"
@@ -50,19 +51,16 @@ class SphereCover {
 
  private:
   using PointList = std::vector<glm::vec3>;
-  struct Fit {
-    Ball ball;
-    double cost = 0;
-  };
   /// One ball made two.
   struct Split {
     std::size_t ball = 0;
-    Fit parts[2];
+    BallFit parts[2];
     double gain = 0;
   };
 
-  Fit fit(const PointList& points, const glm::dvec3& start) const;
-  double costOf(const Ball& ball) const;
+  BallFit fit(const PointList& points, const glm::dvec3& start) const {
+    return fitAround(points, start, *solid_, polished_);
+  }
   PointList pointsOnlyIn(std::size_t ball, std::uint64_t* checksum = nullptr) const;
   std::size_t cheapestToGrow(std::span<const std::size_t> among, const glm::vec3& point) const;
   std::vector<std::size_t> around(const std::vector<bool>& changed) const;
@@ -70,8 +68,8 @@ class SphereCover {
   Split trySplit(std::size_t ball) const;
   bool refit(std::size_t ball);
   void settle(std::vector<bool>& changed);
-  void replace(std::size_t ball, const Fit& by);
-  void add(const Fit& fit);
+  void replace(std::size_t ball, const BallFit& by);
+  void add(const BallFit& fit);
   void countCovers(const Ball& ball, int change);
   void removeEmptyBalls();
 
