@@ -158,12 +158,12 @@ std::vector<Ball> fitCover(const FitProblem& problem, std::size_t count, std::ui
     monitor.compareWith(best->error());
   }
   monitor.compareWith(std::nullopt);
-  best->polishFits();
   for (int round = 0; round < denseRounds; ++round) {
     const double step = (1 - searchEnds) / denseRounds;
     monitor.beginPhase("settle", searchEnds + round * step, searchEnds + (round + 1) * step);
+    if (round + 1 == denseRounds) best->polishFits();
     best->takeUpDemanded();
-    best->teleport({attempts / 10, attempts, 0});
+    best->teleport({attempts / 16, attempts, 0});
     best->report(1);
   }
   return best->balls();
