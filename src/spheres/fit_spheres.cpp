@@ -66,8 +66,8 @@ class Fitter {
       : mesh_(mesh), frame_(mesh), options_(options), monitor_(options) {}
 
   std::vector<Sphere> fit(std::size_t count) {
-    const FitProblem problem = problemFor(count);
     const bool cover = options_.objective == FitObjective::cover;
+    const FitProblem problem = problemFor(count, cover);
     const std::vector<Ball> balls = cover ? fitCover(problem, count, options_.seed, monitor_)
                                           : fitShadow(problem, count, options_.seed, monitor_);
     std::vector<Sphere> spheres;
@@ -119,12 +119,13 @@ class Fitter {
     return fit(count);
   }
 
-  FitProblem problemFor(std::size_t count) const {
+  FitProblem problemFor(std::size_t count, bool cover) const {
     TriangleMesh mesh = frame_.toUnit(mesh_);
     SolidGrid solid(mesh, gridCells(count));
     std::vector<glm::vec3> surface = sampleSurface(mesh, coarsePointCount(count), options_.seed);
-    std::vector<glm::vec3> interior = solid.insidePoints(surface.size() / 2);
-    std::vector<glm::vec3> demanded = pointsToCover(mesh, count, options_.seed);
+    std::vector<glm::vec3> interior, demanded;
+    if (cover) interior = solid.insidePoints(surface.size() / 2);
+    if (cover) demanded = pointsToCover(mesh, count, options_.seed);
     return {std::move(mesh), std::move(solid), std::move(surface), std::move(interior),
             std::move(demanded)};
   }
