@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "mesh/mesh_measures.h"
+
 namespace haarlight {
 
 namespace {
@@ -65,9 +67,8 @@ class Debris {
   }
 
   double area(const VertexTriple& t) const {
-    const glm::dvec3 a = surface_.positions[t[0]], b = surface_.positions[t[1]],
-                     c = surface_.positions[t[2]];
-    return glm::length(glm::cross(b - a, c - a)) / 2;
+    return triangleArea(surface_.positions[t[0]], surface_.positions[t[1]],
+                        surface_.positions[t[2]]);
   }
 
   /// Takes the flag from patches of which every corner touches the boundary of another patch.

@@ -14,9 +14,8 @@ namespace haarlight {
 
 namespace {
 
-double triangleArea(const TriangleMesh& mesh, const glm::uvec3& t) {
-  const glm::dvec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
-  return glm::length(glm::cross(b - a, c - a)) / 2;
+double areaOf(const TriangleMesh& mesh, const glm::uvec3& t) {
+  return triangleArea(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
 }
 
 glm::vec3 triangleNormal(const TriangleMesh& mesh, const glm::uvec3& t) {
@@ -66,7 +65,7 @@ double signedVolume(const TriangleMesh& mesh) {
 
 double surfaceArea(const TriangleMesh& mesh) {
   double sum = 0;
-  for (const glm::uvec3& t : mesh.triangles) sum += triangleArea(mesh, t);
+  for (const glm::uvec3& t : mesh.triangles) sum += areaOf(mesh, t);
   return sum;
 }
 
@@ -74,7 +73,7 @@ std::vector<SurfacePoint> sampleSurfaceWithNormals(const TriangleMesh& mesh, std
                                                    std::uint64_t seed) {
   std::vector<double> areaUpTo;
   double area = 0;
-  for (const glm::uvec3& t : mesh.triangles) areaUpTo.push_back(area += triangleArea(mesh, t));
+  for (const glm::uvec3& t : mesh.triangles) areaUpTo.push_back(area += areaOf(mesh, t));
   if (!(area > 0)) return {};
   Random random(seed);
   std::vector<SurfacePoint> samples;

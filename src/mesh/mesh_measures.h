@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -16,6 +17,16 @@ struct BoundingBox {
 
 /// Bounds of the vertices that triangles use; zero when there is no triangle.
 BoundingBox boundingBox(const TriangleMesh& mesh);
+
+/// Of the triangle with these corners; zero where they lie on a line.
+inline double triangleArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  return glm::length(glm::cross(b - a, c - a)) / 2;
+}
+
+/// Whether its area is not zero, without the underflow of a length.
+inline bool triangleHasArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  return glm::cross(b - a, c - a) != glm::dvec3(0);
+}
 
 /// The enclosed volume by the divergence theorem; negative when the triangles face inwards. For an
 /// open mesh it is that of the mesh closed by cones from the edges of its holes to the centre of

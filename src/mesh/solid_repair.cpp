@@ -8,6 +8,7 @@
 
 #include "mesh/connectivity.h"
 #include "mesh/loose_patches.h"
+#include "mesh/mesh_measures.h"
 #include "mesh/patch_facing.h"
 #include "mesh/surface_patches.h"
 
@@ -16,8 +17,7 @@ namespace haarlight {
 namespace {
 
 bool hasArea(std::span<const glm::vec3> positions, const VertexTriple& t) {
-  const glm::dvec3 a = positions[t[0]], b = positions[t[1]], c = positions[t[2]];
-  return glm::cross(b - a, c - a) != glm::dvec3(0);
+  return triangleHasArea(positions[t[0]], positions[t[1]], positions[t[2]]);
 }
 
 /// Sorts the vertices of a triangle; tells whether that turned it over.

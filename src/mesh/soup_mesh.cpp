@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "mesh/mesh_measures.h"
 #include "mesh/triangulate.h"
 #include "mesh/vertex_normals.h"
 
@@ -14,8 +15,7 @@ namespace {
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 bool hasArea(const TriangleMesh& mesh, const glm::uvec3& t) {
-  const glm::dvec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
-  return glm::cross(b - a, c - a) != glm::dvec3(0);
+  return triangleHasArea(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
 }
 
 class SoupAssembler {

@@ -93,4 +93,23 @@ bool JsonSchema::allowsMembers(const Json& schema, const Json& value) const {
   return true;
 }
 
+namespace {
+
+void collectPlaces(const nlohmann::json& value, const nlohmann::json::json_pointer& place,
+                   std::vector<nlohmann::json::json_pointer>& places) {
+  places.push_back(place);
+  if (value.is_object())
+    for (const auto& [name, member] : value.items()) collectPlaces(member, place / name, places);
+  if (value.is_array())
+    for (std::size_t i = 0; i < value.size(); ++i) collectPlaces(value[i], place / i, places);
+}
+
+}  // namespace
+
+std::vector<nlohmann::json::json_pointer> placesOf(const nlohmann::json& document) {
+  std::vector<nlohmann::json::json_pointer> places;
+  collectPlaces(document, nlohmann::json::json_pointer(), places);
+  return places;
+}
+
 }  // namespace haarlight::test

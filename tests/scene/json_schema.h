@@ -2,8 +2,12 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace haarlight::test {
+
+/// The places of all values of a document, the document itself among them.
+std::vector<nlohmann::json::json_pointer> placesOf(const nlohmann::json& document);
 
 /// The part of JSON Schema (draft 2020-12) that the schemas in docs use.
 class JsonSchema {

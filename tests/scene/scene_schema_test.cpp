@@ -29,21 +29,6 @@ Json wholeDocument() {
   return Json::parse(sceneToJson(scene));
 }
 
-/// The places of all values of a document, the document itself among them.
-void collectPlaces(const Json& value, const Place& place, std::vector<Place>& places) {
-  places.push_back(place);
-  if (value.is_object())
-    for (const auto& [name, member] : value.items()) collectPlaces(member, place / name, places);
-  if (value.is_array())
-    for (std::size_t i = 0; i < value.size(); ++i) collectPlaces(value[i], place / i, places);
-}
-
-std::vector<Place> placesOf(const Json& document) {
-  std::vector<Place> places;
-  collectPlaces(document, Place(), places);
-  return places;
-}
-
 /// The same without the numbers in arrays, which have no description or default of their own.
 std::vector<Place> fieldsOf(const Json& document) {
   std::vector<Place> places = placesOf(document);

@@ -9,6 +9,7 @@
 
 using namespace haarlight;
 using haarlight::test::JsonSchema;
+using haarlight::test::placesOf;
 using haarlight::test::TemporaryFolder;
 
 namespace {
@@ -40,20 +41,6 @@ bool readerAllows(const Json& document) {
   } catch (const InputError&) {
     return false;
   }
-}
-
-void collectPlaces(const Json& value, const Place& place, std::vector<Place>& places) {
-  places.push_back(place);
-  if (value.is_object())
-    for (const auto& [name, member] : value.items()) collectPlaces(member, place / name, places);
-  if (value.is_array())
-    for (std::size_t i = 0; i < value.size(); ++i) collectPlaces(value[i], place / i, places);
-}
-
-std::vector<Place> placesOf(const Json& document) {
-  std::vector<Place> places;
-  collectPlaces(document, Place(), places);
-  return places;
 }
 
 std::set<std::string> namesIn(const Json& object) {
