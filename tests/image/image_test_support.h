@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "base/error.h"
+#include "error_text.h"
 #include "image/image.h"
 #include "image/read_image.h"
 #include "test_support.h"
@@ -20,21 +20,6 @@ inline Image randomImage(int width, int height, unsigned seed) {
   for (glm::vec3& pixel : image.pixels)
     for (int c = 0; c < 3; ++c) pixel[c] = std::exp2(stops(random));
   return image;
-}
-
-/// The message of the InputError that `action` throws; empty when it throws none.
-template <typename Action>
-std::string inputErrorOf(const Action& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// Writes the bytes to a file and reads it as an image.
