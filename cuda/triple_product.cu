@@ -94,15 +94,6 @@ __device__ inline float dotValues(float4 weight, float4 values) {
                            BLOCK_TABLE_STRIDE +                                         \
                        (place) % BLOCK_TABLE_STRIDE]
 
-// Tree 16, 8, 4, 2, 1 over the partial sums of one channel.
-__device__ inline float addPartials(float* partials) {
-  for (uint width = LANES / 2; width > 0; width /= 2) {
-    if (LANE < width) partials[LANE] += partials[LANE + width];
-    LANE_BARRIER();
-  }
-  return partials[0];
-}
-
 HAARLIGHT_KERNEL void tripleProduct(const float* __restrict__ coefficients,
                                     const float* __restrict__ means,
                                     const ushort* __restrict__ blocks,

@@ -94,15 +94,6 @@ inline float dotValues(float4 weight, float4 values) {
                            BLOCK_TABLE_STRIDE +                                         \
                        (place) % BLOCK_TABLE_STRIDE]
 
-// Tree 16, 8, 4, 2, 1 over the partial sums of one channel.
-inline float addPartials(__local float* partials) {
-  for (uint width = LANES / 2; width > 0; width /= 2) {
-    FOR_EACH_LANE(lane) if (lane < width) partials[lane] += partials[lane + width];
-    LANE_BARRIER();
-  }
-  return partials[0];
-}
-
 HAARLIGHT_KERNEL void tripleProduct(__global const float* restrict coefficients,
                                     __global const float* restrict means,
                                     __global const ushort* restrict blocks,

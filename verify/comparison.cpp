@@ -68,13 +68,29 @@ void SubjectComparison::compare(const Question& question, const Answers& answers
   const Case& value = question.value;
   if (value.hasDenormals && !engine_->numericLimitation().empty()) return;
   if (faulty_) faulty_->beginCase(value.name);
+  if (value.binding.sphereCount() > 0) compareMovedSpheres(value, answers);
+  if (visibility_ == VisibilityKind::table) compareEntries(value, answers);
+  compareOcclusion(value, answers);
+  for (std::size_t i = 0; i < question.tables.size(); ++i)
+    compareSums(value, question.tables[i], answers, answers.radiance[i]);
+  compareFrame(value, question.tables[question.frameTables], answers);
+}
 
-  if (visibility_ == VisibilityKind::table) {
-    Tally& entries = tallyOf(Stage::tableEntries, "");
-    entries.compareEntries(value, answers.tableEntries, timed(entries, [&] {
-                             return engine_->sphereTableEntries(value.spheres, value.receivers);
-                           }));
-  }
+void SubjectComparison::compareMovedSpheres(const Case& value, const Answers& answers) {
+  Tally& moved = tallyOf(Stage::movedSpheres, "");
+  engine_->setSphereBinding(value.binding);
+  moved.compareMovedSpheres(value, answers.movedSpheres,
+                            timed(moved, [&] { return engine_->moveSpheres(value.vertices); }));
+}
+
+void SubjectComparison::compareEntries(const Case& value, const Answers& answers) {
+  Tally& entries = tallyOf(Stage::tableEntries, "");
+  entries.compareEntries(value, answers.tableEntries, timed(entries, [&] {
+                           return engine_->sphereTableEntries(value.spheres, value.receivers);
+                         }));
+}
+
+void SubjectComparison::compareOcclusion(const Case& value, const Answers& answers) {
   Tally& cubes = tallyOf(Stage::bitCubes, "");
   cubes.compareBitCubes(value, answers.bitCubes, timed(cubes, [&] {
                           return engine_->mergeBitCubes(value.spheres, value.receivers);
@@ -82,28 +98,30 @@ void SubjectComparison::compare(const Question& question, const Answers& answers
   Tally& haar = tallyOf(Stage::haar, "");
   haar.compareOcclusion(value, answers.occlusion,
                         timed(haar, [&] { return engine_->transformOcclusion(answers.bitCubes); }));
-  for (std::size_t i = 0; i < question.tables.size(); ++i) {
-    const ShadingTables& tables = question.tables[i];
-    Tally& sums = tallyOf(Stage::tripleProduct, nameOf(tables.settings));
-    engine_->setShading(tables);
-    sums.compareRadiance(
-        value, answers.radiance[i],
-        timed(sums,
-              [&] { return engine_->tripleProduct(answers.occlusion, value.receivers.lobes); }),
-        brightest(tables));
-  }
-  Tally& frame = tallyOf(Stage::frame, "");
-  const ShadingTables& tables = question.tables[question.frameTables];
+}
+
+void SubjectComparison::compareSums(const Case& value, const ShadingTables& tables,
+                                    const Answers& answers, std::span<const glm::vec4> expected) {
+  Tally& sums = tallyOf(Stage::tripleProduct, nameOf(tables.settings));
   engine_->setShading(tables);
-  frame.compareRadiance(
-      value, answers.frame,
-      timed(frame, [&] { return engine_->shade(value.spheres, value.receivers); }),
-      brightest(tables));
+  const auto radiance =
+      timed(sums, [&] { return engine_->tripleProduct(answers.occlusion, value.receivers.lobes); });
+  sums.compareRadiance(value, expected, radiance, brightest(tables));
+}
+
+void SubjectComparison::compareFrame(const Case& value, const ShadingTables& tables,
+                                     const Answers& answers) {
+  Tally& frame = tallyOf(Stage::frame, "");
+  engine_->setShading(tables);
+  const auto radiance =
+      timed(frame, [&] { return engine_->shade(value.spheres, value.receivers); });
+  frame.compareRadiance(value, answers.frame, radiance, brightest(tables));
 }
 
 std::vector<Row> SubjectComparison::rows() const {
   std::vector<Row> rows;
   for (const auto& [labels, tally] : tallies_) rows.push_back(tally.finish());
+  std::ranges::stable_sort(rows, {}, &Row::stage);
   return rows;
 }
 

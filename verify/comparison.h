@@ -21,7 +21,7 @@ class SubjectComparison {
   void compare(const Question& question, const Answers& answers);
 
   VisibilityKind visibility() const { return visibility_; }
-  /// One row per stage and setting that was compared.
+  /// One row per stage and setting that was compared, stage by stage.
   std::vector<Row> rows() const;
   bool disagrees() const;
   /// Whether the subject gets this question wrong; leaves the rows as they are.
@@ -33,6 +33,12 @@ class SubjectComparison {
 
  private:
   Tally& tallyOf(Stage stage, const std::string& setting);
+  void compareMovedSpheres(const Case& value, const Answers& answers);
+  void compareEntries(const Case& value, const Answers& answers);
+  void compareOcclusion(const Case& value, const Answers& answers);
+  void compareSums(const Case& value, const ShadingTables& tables, const Answers& answers,
+                   std::span<const glm::vec4> expected);
+  void compareFrame(const Case& value, const ShadingTables& tables, const Answers& answers);
   template <typename Action>
   auto timed(Tally& tally, const Action& action);
 

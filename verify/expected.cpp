@@ -46,6 +46,7 @@ Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereT
   const auto& [spheres, receivers] = std::tie(question.value.spheres, question.value.receivers);
   const std::size_t count = receivers.size();
   Answers answers;
+  answers.movedSpheres = moveSpheres(question.value.binding, question.value.vertices);
   if (table) answers.tableEntries.resize(count * spheres.size());
   answers.bitCubes.resize(count);
   answers.occlusion.resize(count);

@@ -35,6 +35,7 @@ std::span<const Setting> settingsFor(const Case& value, std::size_t index, bool 
 
 /// The scalar reference's answers, stage by stage.
 struct Answers {
+  std::vector<Sphere> movedSpheres;
   /// Only with the sphere table, else empty.
   std::vector<std::uint32_t> tableEntries;
   std::vector<BitCube> bitCubes;

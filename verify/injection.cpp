@@ -17,8 +17,9 @@ struct NamedKind {
   InjectionKind kind;
 };
 constexpr std::array namedKinds{
-    NamedKind{"bit", InjectionKind::bit}, NamedKind{"coefficient", InjectionKind::coefficient},
-    NamedKind{"ulp", InjectionKind::ulp}, NamedKind{"order", InjectionKind::order}};
+    NamedKind{"sphere", InjectionKind::sphere}, NamedKind{"bit", InjectionKind::bit},
+    NamedKind{"coefficient", InjectionKind::coefficient}, NamedKind{"ulp", InjectionKind::ulp},
+    NamedKind{"order", InjectionKind::order}};
 
 float nextUp(float value) {
   return std::nextafter(value, std::numeric_limits<float>::infinity());
@@ -42,7 +43,7 @@ class SequentialSum {
 InjectionKind injectionKind(const std::string& name) {
   for (const NamedKind& named : namedKinds)
     if (name == named.name) return named.kind;
-  throw InputError("unknown fault '" + name + "': use bit, coefficient, ulp or order");
+  throw InputError("unknown fault '" + name + "': use sphere, bit, coefficient, ulp or order");
 }
 
 std::string nameOf(InjectionKind kind) {
@@ -52,21 +53,27 @@ std::string nameOf(InjectionKind kind) {
 }
 
 FaultyEngine::FaultyEngine(std::unique_ptr<Engine> engine, InjectionKind kind)
-    : engine_(std::move(engine)), kind_(kind) {}
+    : ForwardingEngine(std::move(engine)), kind_(kind) {}
 
 /// Another place with every call.
 std::size_t FaultyEngine::choose(std::size_t count) {
   return ++calls_ * 2654435761u % count;
 }
 
+std::vector<Sphere> FaultyEngine::moveSpheres(std::span<const glm::vec4> positions) {
+  auto spheres = engine_->moveSpheres(positions);
+  if (kind_ != InjectionKind::sphere || spheres.empty()) return spheres;
+  const std::size_t sample = choose(spheres.size());
+  const int number = int(choose(4));
+  float& value = number < 3 ? spheres[sample].center[number] : spheres[sample].radius;
+  value = nextUp(value);
+  faults_.push_back({caseName_, sample, movedSpherePlace(sample, number)});
+  return spheres;
+}
+
 void FaultyEngine::setShading(const ShadingTables& tables) {
   tables_ = tables;
   engine_->setShading(tables);
-}
-
-std::vector<std::uint32_t> FaultyEngine::sphereTableEntries(std::span<const Sphere> spheres,
-                                                            ReceiverSpan receivers) {
-  return engine_->sphereTableEntries(spheres, receivers);
 }
 
 std::vector<BitCube> FaultyEngine::mergeBitCubes(std::span<const Sphere> spheres,

@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "engine/engine.h"
+#include "engine/forwarding_engine.h"
 #include "verify/report/report.h"
 
 namespace haarlight::verify {
 
 /// A fault put into one engine's results, to show that it is found.
 enum class InjectionKind {
+  /// One number of a moved sphere is moved to the next float32 number.
+  sphere,
   /// One bit of a bit cube is turned.
   bit,
   /// One Haar coefficient is moved to the next float32 number.
@@ -28,7 +30,7 @@ struct Injection {
   std::string engine;
 };
 
-/// "bit", "coefficient", "ulp" or "order". Throws InputError for another word.
+/// "sphere", "bit", "coefficient", "ulp" or "order". Throws InputError for another word.
 InjectionKind injectionKind(const std::string& name);
 std::string nameOf(InjectionKind kind);
 
@@ -43,7 +45,7 @@ struct InjectedFault {
 
 /// An engine that answers as `engine` does, but for one value in every result of the stage that the
 /// kind of fault belongs to.
-class FaultyEngine final : public Engine {
+class FaultyEngine final : public ForwardingEngine {
  public:
   FaultyEngine(std::unique_ptr<Engine> engine, InjectionKind kind);
 
@@ -51,12 +53,8 @@ class FaultyEngine final : public Engine {
   void beginCase(const std::string& caseName) { caseName_ = caseName; }
   const std::vector<InjectedFault>& faults() const { return faults_; }
 
-  std::string name() const override { return engine_->name(); }
-  std::string deviceName() const override { return engine_->deviceName(); }
-  std::string numericLimitation() const override { return engine_->numericLimitation(); }
+  std::vector<Sphere> moveSpheres(std::span<const glm::vec4> positions) override;
   void setShading(const ShadingTables& tables) override;
-  std::vector<std::uint32_t> sphereTableEntries(std::span<const Sphere> spheres,
-                                                ReceiverSpan receivers) override;
   std::vector<BitCube> mergeBitCubes(std::span<const Sphere> spheres,
                                      ReceiverSpan receivers) override;
   std::vector<OcclusionHaar> transformOcclusion(std::span<const BitCube> cubes) override;
@@ -71,7 +69,6 @@ class FaultyEngine final : public Engine {
   void reorder(std::vector<glm::vec4>& radiance, std::span<const OcclusionHaar> occlusion,
                std::span<const LobeBlend> lobes);
 
-  std::unique_ptr<Engine> engine_;
   InjectionKind kind_;
   ShadingTables tables_;
   std::string caseName_;

@@ -40,6 +40,7 @@ class ReferenceRows {
   void compare(const KnownCase& known) {
     const Case& question = known.question;
     const bool byTable = visibility_ == VisibilityKind::table;
+    if (!byTable && !known.movedSpheres.empty()) compareMovedSpheres(known);
     if (known.haarHash != 0) {
       if (byTable)
         entries_.compareEntries(
@@ -56,11 +57,17 @@ class ReferenceRows {
   }
 
   void finishInto(std::vector<Row>& rows) const {
-    for (const Tally* tally : {&entries_, &cubes_, &haar_, &frames_})
+    for (const Tally* tally : {&moved_, &entries_, &cubes_, &haar_, &frames_})
       if (const Row row = tally->finish(); row.compared > 0 || row.skipped()) rows.push_back(row);
   }
 
  private:
+  void compareMovedSpheres(const KnownCase& known) {
+    reference_->setSphereBinding(known.question.binding);
+    moved_.compareMovedSpheres(known.question, known.movedSpheres,
+                               reference_->moveSpheres(known.question.vertices));
+  }
+
   void compareFrame(const Case& question, const KnownRadiance& known) {
     ShadingSettings settings;
     settings.terms = known.terms;
@@ -88,8 +95,9 @@ class ReferenceRows {
   VisibilityKind visibility_;
   bool knowsRadiance_;
   std::unique_ptr<Engine> reference_;
-  Tally entries_ = tallyOf(Stage::tableEntries), cubes_ = tallyOf(Stage::bitCubes),
-        haar_ = tallyOf(Stage::haar), frames_ = tallyOf(Stage::frame);
+  Tally moved_ = tallyOf(Stage::movedSpheres), entries_ = tallyOf(Stage::tableEntries),
+        cubes_ = tallyOf(Stage::bitCubes), haar_ = tallyOf(Stage::haar),
+        frames_ = tallyOf(Stage::frame);
 };
 
 }  // namespace

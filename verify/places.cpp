@@ -19,6 +19,10 @@ std::string rowAndColumn(int square, int side) {
   return "row " + std::to_string(square / side) + ", column " + std::to_string(square % side);
 }
 
+std::string sphereName(std::size_t sphere) {
+  return "sphere " + std::to_string(sphere) + ": ";
+}
+
 Place squarePlace(int face, int level, int square) {
   return faceName(face) + ", level " + std::to_string(level) + ", " +
          rowAndColumn(square, squaresPerSide(level));
@@ -53,9 +57,14 @@ Place blockPlace(int index) {
          ", block column " + std::to_string(block % blocksPerSide);
 }
 
+Place movedSpherePlace(std::size_t sphere, int number) {
+  constexpr std::array names{"centre x", "centre y", "centre z", "radius"};
+  return sphereName(sphere) + names.at(std::size_t(number));
+}
+
 Place entryPlace(std::size_t sphere, std::uint32_t entry) {
   const int texel = int(entry) / radiusBins;
-  return "sphere " + std::to_string(sphere) + ": " + faceName(texel / texelsPerFace) + ", " +
+  return sphereName(sphere) + faceName(texel / texelsPerFace) + ", " +
          rowAndColumn(texel % texelsPerFace, faceSize) + ", radius bin " +
          std::to_string(int(entry) % radiusBins);
 }

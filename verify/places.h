@@ -20,6 +20,9 @@ Place meanPlace(int index);
 /// "face +X, block row 3, block column 4" of OcclusionHaar::blocks.
 Place blockPlace(int index);
 
+/// "sphere 12: centre y" or "sphere 12: radius" of a moved sphere; `number` is 0 … 3.
+Place movedSpherePlace(std::size_t sphere, int number);
+
 /// "sphere 12: face +X, row 3, column 17, radius bin 5" of an entry of the sphere table.
 Place entryPlace(std::size_t sphere, std::uint32_t entry);
 

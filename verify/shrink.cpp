@@ -1,6 +1,7 @@
 #include "verify/shrink.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace haarlight::verify {
@@ -51,6 +52,48 @@ Case withSpheres(const Case& value, const Indices& indices) {
   return part;
 }
 
+/// The entries of the binding with these numbers; spheres without any are left out, and so are
+/// vertices that nothing follows.
+Case withEntries(const Case& value, const Indices& indices) {
+  Case part = value;
+  part.binding = {};
+  part.vertices.clear();
+  std::map<std::uint32_t, std::uint32_t> numbers;
+  const SphereBinding& whole = value.binding;
+  for (std::size_t i = 0, next = 0; i < whole.sphereCount(); ++i) {
+    std::vector<std::uint32_t> list;
+    std::vector<glm::vec4> weights;
+    for (; next < indices.size() && indices[next] < whole.listStarts[i + 1]; ++next) {
+      const std::uint32_t vertex = whole.vertices[indices[next]];
+      const auto [place, isNew] = numbers.try_emplace(vertex, std::uint32_t(numbers.size()));
+      if (isNew) part.vertices.push_back(value.vertices[vertex]);
+      list.push_back(place->second);
+      weights.push_back(whole.weights[indices[next]]);
+    }
+    if (!list.empty()) part.binding.add(list, weights, whole.radiusFactors[i]);
+  }
+  return part;
+}
+
+Indices entriesOf(const SphereBinding& binding, const Indices& spheres) {
+  Indices entries;
+  for (const std::size_t i : spheres)
+    for (std::size_t entry = binding.listStarts[i]; entry < binding.listStarts[i + 1]; ++entry)
+      entries.push_back(entry);
+  return entries;
+}
+
+Case withSmallestBinding(const Case& failing, const std::function<bool(const Case&)>& fails) {
+  if (Case without = withEntries(failing, {}); fails(without)) return without;
+  const auto entriesFail = [&](const Indices& entries) {
+    return fails(withEntries(failing, entries));
+  };
+  const Indices spheres = smallest(all(failing.binding.sphereCount()), [&](const Indices& indices) {
+    return entriesFail(entriesOf(failing.binding, indices));
+  });
+  return withEntries(failing, smallest(entriesOf(failing.binding, spheres), entriesFail));
+}
+
 }  // namespace
 
 Case shrunk(const Case& failing, const std::function<bool(const Case&)>& fails) {
@@ -62,7 +105,7 @@ Case shrunk(const Case& failing, const std::function<bool(const Case&)>& fails) 
   const Indices spheres = smallest(all(result.spheres.size()), [&](const Indices& indices) {
     return fails(withSpheres(result, indices));
   });
-  return withSpheres(result, spheres);
+  return withSmallestBinding(withSpheres(result, spheres), fails);
 }
 
 }  // namespace haarlight::verify

@@ -56,7 +56,8 @@ void Tally::addFloat(const Case& value, std::size_t sample, float expected, floa
   ++row_.compared;
   const std::uint64_t ulp = ulpDistance(expected, actual);
   ++ulps_[ulp];
-  if (ulp == 0 || std::abs(expected - actual) <= tolerance) return;
+  // Without a tolerance 0 and −0 differ too.
+  if (ulp == 0 || (tolerance > 0 && std::abs(expected - actual) <= tolerance)) return;
   addMismatch({value.name, sample, place(), true, std::bit_cast<std::uint32_t>(expected),
                std::bit_cast<std::uint32_t>(actual), ulp});
 }
@@ -66,6 +67,18 @@ void Tally::addSizes(const Case& value, std::size_t expected, std::size_t actual
   if (expected != actual)
     addMismatch({value.name, 0, "number of results", false, std::uint32_t(expected),
                  std::uint32_t(actual), 0});
+}
+
+void Tally::compareMovedSpheres(const Case& value, std::span<const Sphere> expected,
+                                std::span<const Sphere> actual) {
+  addSizes(value, expected.size(), actual.size());
+  for (std::size_t i = 0; i < std::min(expected.size(), actual.size()); ++i) {
+    const glm::vec4 wanted(expected[i].center, expected[i].radius);
+    const glm::vec4 found(actual[i].center, actual[i].radius);
+    for (int number = 0; number < 4; ++number)
+      addFloat(value, i, wanted[number], found[number],
+               [&] { return movedSpherePlace(i, number); });
+  }
 }
 
 void Tally::compareEntries(const Case& value, std::span<const std::uint32_t> expected,

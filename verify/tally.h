@@ -18,6 +18,8 @@ class Tally {
   explicit Tally(Row labels) : row_(std::move(labels)) {}
 
   void addSeconds(double seconds) { row_.seconds += seconds; }
+  void compareMovedSpheres(const Case& value, std::span<const Sphere> expected,
+                           std::span<const Sphere> actual);
   void compareEntries(const Case& value, std::span<const std::uint32_t> expected,
                       std::span<const std::uint32_t> actual);
   void compareBitCubes(const Case& value, std::span<const BitCube> expected,

@@ -11,6 +11,7 @@
 #include "engine/shading_tables.h"
 #include "haar/occlusion_transform.h"
 #include "visibility/sphere.h"
+#include "visibility/sphere_binding.h"
 #include "visibility/sphere_table.h"
 
 namespace haarlight {
@@ -41,8 +42,9 @@ struct DeviceUse {
   std::vector<Kernel> kernels;
 };
 
-/// One implementation of the three steps of a frame (method.md §2, steps 5–7), on one device.
+/// One implementation of the steps of a frame (method.md §2, steps 4–7), on one device.
 ///
+/// moving:         vertex positions → spheres (scenes that deform)
 /// merge:          spheres and sample positions → bit cubes
 /// transform:      bit cubes → occlusion in the Haar basis
 /// triple product: occlusion, light, lobes → radiance
@@ -70,6 +72,11 @@ class Engine {
 
   /// Sets light, lobes and terms for the following tripleProduct() and shade() calls.
   virtual void setShading(const ShadingTables& tables) = 0;
+
+  /// Sets what the spheres of the following moveSpheres() calls follow.
+  virtual void setSphereBinding(const SphereBinding& binding) = 0;
+  /// The bound spheres when the vertices are at `positions` (x, y, z, any): step 4 of a frame.
+  virtual std::vector<Sphere> moveSpheres(std::span<const glm::vec4> positions) = 0;
 
   /// Entry of the sphere table that each sphere falls into (visibility/sphere_bin.h), seen from
   /// each receiver: receiver · spheres + sphere. The table itself is not needed.

@@ -39,9 +39,9 @@ struct KernelShape {
 inline constexpr int maximumSamplesPerGroup = 8;
 
 /// The kernels of every device.
-inline constexpr std::array<std::string_view, 5> kernelNames{"sphereTableEntries", "mergeBitCubes",
-                                                             "mergeBitCubesExactly",
-                                                             "transformOcclusion", "tripleProduct"};
+inline constexpr std::array<std::string_view, 6> kernelNames{
+    "moveSpheres",          "sphereTableEntries", "mergeBitCubes",
+    "mergeBitCubesExactly", "transformOcclusion", "tripleProduct"};
 
 /// What the kernel engine (kernel_engine.h) needs of a compute API: memory, copies and launches, in
 /// order. One implementation per API; the kernels of all of them have the same names, arguments and

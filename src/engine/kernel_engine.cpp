@@ -27,6 +27,12 @@ struct DeviceTables {
   GrowingBuffer lobeListStarts, lobePlaces, lobeValues, lightMeans, unshadowed;
 };
 
+/// What spheres follow, on the device.
+struct DeviceBinding {
+  std::size_t spheres = 0;
+  GrowingBuffer listStarts, vertices, weights, radiusFactors, positions, moved;
+};
+
 /// What one batch of receivers passes from kernel to kernel.
 struct BatchBuffers {
   GrowingBuffer positions, normals, lobes, bitCubes, coefficients, means, blocks, radiance;
@@ -43,6 +49,8 @@ class KernelEngine final : public Engine {
   DeviceUse deviceUse() const override;
 
   void setShading(const ShadingTables& tables) override;
+  void setSphereBinding(const SphereBinding& binding) override;
+  std::vector<Sphere> moveSpheres(std::span<const glm::vec4> positions) override;
   std::vector<std::uint32_t> sphereTableEntries(std::span<const Sphere> spheres,
                                                 ReceiverSpan receivers) override;
   std::vector<BitCube> mergeBitCubes(std::span<const Sphere> spheres,
@@ -82,6 +90,7 @@ class KernelEngine final : public Engine {
   GrowingBuffer sphereTable_, occupiedFaces_, blockTable_, spheres_, tableEntries_;
   BatchBuffers batch_;
   DeviceTables tables_;
+  DeviceBinding binding_;
   double preparationSeconds_ = 0;
 };
 
@@ -105,6 +114,11 @@ void KernelEngine::warmUp() {
   receivers.add({0, 0, 0}, {0, 1, 0});
   setShading(buildShadingTables(RadianceCube{}, {0, 2}, countLobes(receivers.lobes)));
   const Sphere sphere{{0, 2, 0}, 1};
+  SphereBinding binding;
+  binding.add(std::array{0u}, std::array{glm::vec4(1, 1, 0, 0)}, {1, 0});
+  setSphereBinding(binding);
+  moveSpheres(receivers.positions);
+  setSphereBinding({});
   shade(std::span(&sphere, 1), receivers, nullptr);
 }
 
@@ -200,6 +214,28 @@ void KernelEngine::setShading(const ShadingTables& tables) {
   upload(tables_.lobeValues, std::span(tables.lobeValues));
   upload(tables_.lightMeans, std::span(tables.lightMeans));
   upload(tables_.unshadowed, std::span(tables.unshadowed));
+}
+
+void KernelEngine::setSphereBinding(const SphereBinding& binding) {
+  binding_.spheres = binding.sphereCount();
+  if (binding_.spheres == 0) return;
+  upload(binding_.listStarts, std::span(binding.listStarts));
+  upload(binding_.vertices, std::span(binding.vertices));
+  upload(binding_.weights, std::span(binding.weights));
+  upload(binding_.radiusFactors, std::span(binding.radiusFactors));
+}
+
+std::vector<Sphere> KernelEngine::moveSpheres(std::span<const glm::vec4> positions) {
+  std::vector<Sphere> spheres(binding_.spheres);
+  if (spheres.empty()) return spheres;
+  upload(binding_.positions, positions);
+  launch("moveSpheres", spheres.size(),
+         std::array<KernelArgument, 7>{binding_.positions, std::uint32_t(spheres.size()),
+                                       binding_.listStarts, binding_.vertices, binding_.weights,
+                                       binding_.radiusFactors,
+                                       roomFor(binding_.moved, spheres.size(), sizeof(Sphere))});
+  download(binding_.moved, std::span(spheres));
+  return spheres;
 }
 
 std::vector<std::uint32_t> KernelEngine::sphereTableEntries(std::span<const Sphere> spheres,

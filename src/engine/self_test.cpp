@@ -12,6 +12,7 @@ namespace haarlight {
 namespace {
 
 /// Checksums of the right answers.
+constexpr std::uint64_t movedSpheresChecksum = 0xc393eaf25a040374;
 constexpr std::uint64_t exactBitCubesChecksum = 0x7951fe34988acc2e;
 constexpr std::uint64_t tableBitCubesChecksum = 0x6744c22f27f66085;
 constexpr std::uint64_t exactHaarChecksum = 0xa0fe78214f9723e3;
@@ -52,10 +53,32 @@ Sphere sphereOnBinBound(Sequence& random, int bin) {
 }
 
 struct Question {
+  SphereBinding binding;
+  std::vector<glm::vec4> vertices;
   std::vector<Sphere> spheres;
   Receivers receivers;
   RadianceCube light;
 };
+
+/// Lists of 3, 16, 29 … 302 entries; radii from reaches, means and both in turn. Every other list
+/// begins with the vertex at the origin: there no larger number hides how sums are rounded.
+void bindSpheres(Sequence& random, Question& question) {
+  constexpr int sphereCount = 24, vertexCount = 100;
+  question.vertices.emplace_back(0);
+  while (question.vertices.size() < vertexCount) question.vertices.emplace_back(random.point(2), 0);
+  for (int sphere = 0; sphere < sphereCount; ++sphere) {
+    const int size = 3 + 13 * sphere;
+    std::vector<std::uint32_t> list;
+    std::vector<glm::vec4> weights;
+    for (int i = 0; i < size; ++i) {
+      list.push_back(std::uint32_t(((7 + sphere) * i + sphere % 2) % vertexCount));
+      const float forCenter = random.uniform(-1, 3) / float(size);
+      weights.emplace_back(forCenter, random.uniform(0, 2) / float(size), 1, 0);
+    }
+    const float mean = random.uniform(0.5f, 1), reach = random.uniform(0.5f, 1);
+    question.binding.add(list, weights, {sphere % 3 == 0 ? 0 : mean, sphere % 3 == 1 ? 0 : reach});
+  }
+}
 
 Question makeQuestion() {
   Question question;
@@ -66,6 +89,7 @@ Question makeQuestion() {
   for (int i = 0; i < 24; ++i) question.spheres.push_back(sphereOnBinBound(random, 1 + i % 8));
   for (int texel = 0; texel < texelCount; ++texel)
     question.light[texel] = random.point(0.5f) + glm::vec3(texel % 97 ? 0.5f : 50.0f);
+  bindSpheres(random, question);
   return question;
 }
 
@@ -79,6 +103,9 @@ std::uint64_t checksumOf(const std::vector<Element>& elements) {
 
 std::string selfTestFailure(Engine& engine, std::shared_ptr<const SphereTable> table) {
   static const Question question = makeQuestion();
+  engine.setSphereBinding(question.binding);
+  if (checksumOf(engine.moveSpheres(question.vertices)) != movedSpheresChecksum)
+    return "its moved spheres are not the right ones";
   const auto cubes = engine.mergeBitCubes(question.spheres, question.receivers);
   if (checksumOf(cubes) != (table ? tableBitCubesChecksum : exactBitCubesChecksum))
     return "its bit cubes are not the right ones";

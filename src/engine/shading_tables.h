@@ -30,12 +30,11 @@
 #include <span>
 #include <vector>
 
+#include "base/canonical_order.h"
 #include "cube/cube_image.h"
 #include "material/cosine_lobe.h"
 
 namespace haarlight {
-
-inline constexpr int partialSums = 32;
 
 /// Wavelets of all six faces; the Φ of the faces are always kept and not counted.
 inline constexpr int waveletCount = faceCount * (coefficientsPerFace - 1);

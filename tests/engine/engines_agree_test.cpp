@@ -11,8 +11,19 @@ using namespace haarlight::test;
 namespace {
 
 /// Equal in every bit: 0 and −0 differ, NaN equals itself.
-bool sameBits(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+template <typename Value>
+bool sameBits(const std::vector<Value>& a, const std::vector<Value>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+}
+
+void checkMovedSpheres(Engine& reference, Engine& engine, unsigned seed) {
+  constexpr int counts[] = {1, 7, 8, 9, 33, 70};
+  const auto [binding, vertices] = randomBinding(seed, counts[seed % 6]);
+  reference.setSphereBinding(binding);
+  engine.setSphereBinding(binding);
+  const auto expected = reference.moveSpheres(vertices);
+  REQUIRE(expected.size() == binding.sphereCount());
+  REQUIRE(sameBits(engine.moveSpheres(vertices), expected));
 }
 
 void checkAllStages(Engine& reference, Engine& engine, const TestScene& scene) {
@@ -46,6 +57,7 @@ void checkAgreement(const std::string& engineName, const KernelShape& shape, uns
       CAPTURE(shape.lanesPerItem);
       CAPTURE(shape.samplesPerGroup);
       CAPTURE(seed);
+      checkMovedSpheres(*reference, *engine, seed);
       const TestScene scene = randomScene(seed);
       checkAllStages(*reference, *engine, scene);
       checkRadiance(*reference, *engine, scene, seed % 2 ? 200 : 50, 1 + seed / 2 % 2);
@@ -100,6 +112,22 @@ TEST_CASE("a frame larger than a batch equals its receivers one by one") {
       const auto one = engine->shade(scene.spheres, ReceiverSpan(scene.receivers).part(i, 1));
       CHECK(sameBits(one, {whole[i]}));
     }
+  }
+}
+
+TEST_CASE("a binding takes the place of the one before, and may be empty") {
+  for (const char* name : {"cuda-host", "opencl"}) {
+    const auto engine = testEngine(name);
+    if (!engine) return;
+    for (const int count : {70, 3, 40}) {
+      const auto [binding, vertices] = randomBinding(5, count);
+      engine->setSphereBinding(binding);
+      const auto expected = moveSpheres(binding, vertices);
+      CHECK(sameBits(engine->moveSpheres(vertices), expected));
+      CHECK(sameBits(engine->moveSpheres(vertices), expected));
+    }
+    engine->setSphereBinding({});
+    CHECK(engine->moveSpheres({}).empty());
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/forwarding_engine.h"
 #include "test_scenes.h"
 
 using namespace haarlight;
@@ -12,19 +13,18 @@ using namespace haarlight::test;
 namespace {
 
 /// An engine that gets one thing wrong.
-class WrongEngine final : public Engine {
+class WrongEngine final : public ForwardingEngine {
  public:
-  enum class Fault { none, bit, coefficient, radiance };
+  enum class Fault { none, sphere, bit, coefficient, radiance };
 
   WrongEngine(std::unique_ptr<Engine> engine, Fault fault)
-      : engine_(std::move(engine)), fault_(fault) {}
+      : ForwardingEngine(std::move(engine)), fault_(fault) {}
 
-  std::string name() const override { return "wrong"; }
-  std::string deviceName() const override { return "test"; }
-  void setShading(const ShadingTables& tables) override { engine_->setShading(tables); }
-  std::vector<std::uint32_t> sphereTableEntries(std::span<const Sphere> spheres,
-                                                ReceiverSpan receivers) override {
-    return engine_->sphereTableEntries(spheres, receivers);
+  std::vector<Sphere> moveSpheres(std::span<const glm::vec4> positions) override {
+    auto spheres = engine_->moveSpheres(positions);
+    float& radius = spheres.back().radius;
+    if (fault_ == Fault::sphere) radius = std::nextafter(radius, 0.0f);
+    return spheres;
   }
   std::vector<BitCube> mergeBitCubes(std::span<const Sphere> spheres,
                                      ReceiverSpan receivers) override {
@@ -38,10 +38,6 @@ class WrongEngine final : public Engine {
     if (fault_ == Fault::coefficient) coefficient = std::nextafter(coefficient, 1.0f);
     return occlusion;
   }
-  std::vector<glm::vec4> tripleProduct(std::span<const OcclusionHaar> occlusion,
-                                       std::span<const LobeBlend> lobes) override {
-    return engine_->tripleProduct(occlusion, lobes);
-  }
   std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                StageTimes* times) override {
     auto radiance = engine_->shade(spheres, receivers, times);
@@ -50,7 +46,6 @@ class WrongEngine final : public Engine {
   }
 
  private:
-  std::unique_ptr<Engine> engine_;
   Fault fault_;
 };
 
@@ -69,8 +64,9 @@ TEST_CASE("the scalar engine gives the known answers of the self test") {
   }
 }
 
-TEST_CASE("the self test notices one wrong bit, coefficient or last digit") {
+TEST_CASE("the self test notices one wrong sphere, bit, coefficient or last digit") {
   CHECK(failureWith(WrongEngine::Fault::none) == "");
+  CHECK(failureWith(WrongEngine::Fault::sphere).find("moved spheres") != std::string::npos);
   CHECK(failureWith(WrongEngine::Fault::bit).find("bit cubes") != std::string::npos);
   CHECK(failureWith(WrongEngine::Fault::coefficient).find("Haar") != std::string::npos);
   CHECK(failureWith(WrongEngine::Fault::radiance).find("radiance") != std::string::npos);

@@ -17,6 +17,16 @@ TestScene smallScene() {
   return scene;
 }
 
+/// Six spheres, so that a second group of four is not full; lists of more than 32 entries.
+void checkMovedSpheres(Engine& engine) {
+  const auto [binding, vertices] = randomBinding(2, 6);
+  REQUIRE(binding.vertices.size() > 6 * 32);
+  engine.setSphereBinding(binding);
+  const auto expected = moveSpheres(binding, vertices), moved = engine.moveSpheres(vertices);
+  REQUIRE(moved.size() == expected.size());
+  CHECK(std::memcmp(moved.data(), expected.data(), expected.size() * sizeof expected[0]) == 0);
+}
+
 void checkEveryKernel(VisibilityKind visibility, const KernelShape& shape) {
   EngineOptions options;
   options.engine = "opencl";
@@ -26,6 +36,7 @@ void checkEveryKernel(VisibilityKind visibility, const KernelShape& shape) {
   const auto engine =
       makeEngine(options, visibility == VisibilityKind::table ? sharedSphereTable() : nullptr);
   const auto reference = referenceEngine(visibility);
+  checkMovedSpheres(*engine);
   const TestScene scene = smallScene();
   CHECK(engine->sphereTableEntries(scene.spheres, scene.receivers) ==
         reference->sphereTableEntries(scene.spheres, scene.receivers));

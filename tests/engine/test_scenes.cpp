@@ -54,7 +54,30 @@ class SceneMaker {
   std::mt19937 random_;
 };
 
+void addBoundSphere(SceneMaker& make, TestBinding& bound) {
+  const int size = 1 + make.below(100);
+  std::vector<std::uint32_t> list;
+  std::vector<glm::vec4> weights;
+  for (int i = 0; i < size; ++i) {
+    list.push_back(std::uint32_t(make.below(int(bound.vertices.size()))));
+    const float forCenter = make.uniform(-1, 3) / float(size);
+    weights.emplace_back(forCenter, make.uniform(0, 2) / float(size), make.below(2), 0);
+  }
+  const int kind = make.below(3);
+  const float mean = make.uniform(0.5f, 2), reach = make.uniform(0.5f, 2);
+  bound.binding.add(list, weights, {kind == 0 ? 0 : mean, kind == 1 ? 0 : reach});
+}
+
 }  // namespace
+
+TestBinding randomBinding(unsigned seed, int sphereCount) {
+  SceneMaker make(seed);
+  TestBinding bound;
+  const glm::vec3 offset = make.point(seed % 2 ? 1000.0f : 1.0f);
+  for (int i = 0; i < 200; ++i) bound.vertices.emplace_back(offset + make.point(1), 0);
+  for (int i = 0; i < sphereCount; ++i) addBoundSphere(make, bound);
+  return bound;
+}
 
 TestScene randomScene(unsigned seed, int receiverCount) {
   SceneMaker make(seed);

@@ -19,6 +19,16 @@ struct TestScene {
   RadianceCube light;
 };
 
+/// Spheres that follow vertices.
+struct TestBinding {
+  SphereBinding binding;
+  std::vector<glm::vec4> vertices;
+};
+
+/// Spheres that follow some of 200 vertices in a cube of side 2, up to 1,000 from the origin: lists
+/// of 1 … 100 entries, weights of both signs, radii from means, from reaches and from both.
+TestBinding randomBinding(unsigned seed, int sphereCount);
+
 /// Spheres of all kinds (grazing, huge, tiny, coincident, behind, around a receiver, far away,
 /// exactly along an axis), receivers with any normal, and a light of a dim sky and a few lamps.
 TestScene randomScene(unsigned seed, int receiverCount = 8);

@@ -30,6 +30,11 @@ void checkSame(const Case& a, const Case& b) {
   CHECK(sameBits(a.receivers.normals, b.receivers.normals));
   CHECK(sameBits(a.receivers.lobes, b.receivers.lobes));
   CHECK(sameBits(a.light.texels, b.light.texels));
+  CHECK(sameBits(a.vertices, b.vertices));
+  CHECK(a.binding.listStarts == b.binding.listStarts);
+  CHECK(a.binding.vertices == b.binding.vertices);
+  CHECK(sameBits(a.binding.weights, b.binding.weights));
+  CHECK(sameBits(a.binding.radiusFactors, b.binding.radiusFactors));
   CHECK(a.hasDenormals == b.hasDenormals);
 }
 
@@ -60,6 +65,9 @@ TEST_CASE("denormal numbers, -0 and the largest number survive writing and readi
   written.receivers.add({-0.0f, 0, least}, {-0.0f, -1, 0});
   written.light[0] = {-0.0f, 0, 0};
   written.light[6143] = {least, largest, 0.1f};
+  written.vertices = {{-0.0f, least, 1, 0}};
+  written.binding.add(std::vector<std::uint32_t>{0, 0},
+                      std::vector<glm::vec4>{{least, 1, 1, 0}, {}}, {least, 1});
   written.hasDenormals = true;
   const Case read = readCaseText(caseText(written), "text");
   checkSame(read, written);
@@ -84,6 +92,50 @@ TEST_CASE("what a person writes by hand is read") {
   CHECK(read.hasDenormals);
 }
 
+TEST_CASE("entries without weight stay, also where a list is filled up") {
+  const Case read =
+      readCaseText(start + receiver + "vertex 0 0 0\nvertex 0 3 4\nbound 0 1\nfollows 0 1 0 0\n" +
+                       "follows 1 0 0 1\nfollows 1 0 0 0\nfollows 0 -0 0 0\nfollows 0 0 0 0\n",
+                   "text");
+  CHECK(read.binding.listStarts == std::vector<std::uint32_t>{0, 32});
+  CHECK(std::signbit(read.binding.weights[3].x));
+  CHECK(moveSpheres(read.binding, read.vertices)[0].radius == 5);
+  checkSame(readCaseText(caseText(read), "text"), read);
+
+  Case full = read;
+  full.binding = {};
+  full.binding.add(std::vector<std::uint32_t>(64, 1), std::vector<glm::vec4>(64, glm::vec4(0)),
+                   {1, 0});
+  checkSame(readCaseText(caseText(full), "text"), full);
+}
+
+TEST_CASE("bound spheres that lack something or go too far are refused") {
+  const std::string vertex = receiver + "vertex 1 2 3\n", bound = vertex + "bound 1 0\n";
+  refused(start + vertex + "follows 0 1 0 0\n",
+          "f:5: a line 'bound mean reach' must come before what the sphere follows");
+  refused(start + "bound 1 0\nfollows 0 1 0 0\n",
+          "f:4: the case has no vertex yet; add a line 'vertex x y z' before");
+  refused(start + bound, "f:5: a bound sphere follows nothing; add a line 'follows vertex a b g'");
+  refused(start + bound + "bound 1 0\n",
+          "f:6: a bound sphere follows nothing; add a line 'follows vertex a b g'");
+  refused(start + bound + "follows 1 1 0 0\n",
+          "f:6: the number of a vertex must be a whole number from 0 to 0, not '1'");
+  refused(start + bound + "follows 0 1 -1 0\n",
+          "f:6: the weight for the mean must not be negative");
+  refused(start + bound + "follows 0 1 0 -0\n",
+          "f:6: the weight for the reach must not be negative");
+  refused(start + bound + "follows 0 1 0\n",
+          "f:6: the weight for the reach is missing; add it to the line");
+  refused(start + vertex + "bound -1 0\n", "f:5: the factor of the mean must not be negative");
+  refused(start + vertex + "bound 1\n",
+          "f:5: the factor of the reach is missing; add it to the line");
+  refused(start + receiver + "vertex 1 2\n",
+          "f:4: the z of a vertex is missing; add it to the line");
+  refused(start + receiver + "vertex 0 0 0\nvertex 1e30 0 0\nbound 1 0\n" +
+              "follows 0 1 1 0\nfollows 1 0 1 0\n",
+          "f:8: a bound sphere leaves the range of float32; choose smaller numbers");
+}
+
 TEST_CASE("a light by its seed is that of random cases") {
   const Case read = readCaseText(start + receiver + "light random 18446744073709551615\n", "text");
   CHECK(sameBits(read.light.texels, randomLight(~std::uint64_t(0)).texels));
@@ -97,7 +149,8 @@ TEST_CASE("headers that are missing, wrong or double are refused") {
           "f:1: the format's version must be a whole number from 1 to 1, not '2'");
   refused("haarlight-case 1 2\n", "f:1: remove '2' at the end of the line");
   refused(start + "haarlight-case 1\n",
-          "f:3: the line must begin with name, sphere, receiver, plane, light or texel");
+          "f:3: the line must begin with name, sphere, receiver, plane, light, texel, vertex, "
+          "bound or follows");
   refused(start + "name other\n", "f:3: this is the second name of a case; remove the line");
   refused("haarlight-case 1\nname\n", "f:2: the name is missing; add it to the line");
   refused("haarlight-case 1\n" + receiver, "f:2: the case has no name; add a line 'name …'");
@@ -149,6 +202,13 @@ TEST_CASE("no text makes the reader or its messages grow") {
   for (int i = 0; i < 65537; ++i) spheres += "sphere 0 0 0 1\n";
   CHECK_THROWS_WITH_AS(readCaseText(spheres, "f"),
                        "f:65539: a case has at most 65536 spheres; remove some", InputError);
+  std::string bound = start + "vertex 0 0 0\n", vertices = start;
+  for (int i = 0; i < 65537; ++i) bound += "bound 0 0\nfollows 0 1 0 0\n";
+  CHECK_THROWS_WITH_AS(readCaseText(bound, "f"),
+                       "f:131076: a case has at most 65536 bound spheres; remove some", InputError);
+  for (int i = 0; i < 1048577; ++i) vertices += "vertex 0 0 0\n";
+  CHECK_THROWS_WITH_AS(readCaseText(vertices, "f"),
+                       "f:1048579: a case has at most 1048576 vertices; remove some", InputError);
 }
 
 TEST_CASE("case files are written and read, and missing ones are named") {

@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "engine/forwarding_engine.h"
 #include "verify/cases/random_cases.h"
 
 using namespace haarlight;
@@ -12,32 +14,20 @@ using namespace haarlight::verify;
 namespace {
 
 /// A device that flushes denormal numbers: it says so, and its radiance is a little off.
-class LimitedEngine final : public Engine {
+class LimitedEngine final : public ForwardingEngine {
  public:
-  explicit LimitedEngine(float relativeError) : factor_(1 + relativeError) {}
+  explicit LimitedEngine(float relativeError)
+      : ForwardingEngine(makeReferenceEngine(nullptr)), factor_(1 + relativeError) {}
 
   std::string name() const override { return "limited"; }
-  std::string deviceName() const override { return "test"; }
   std::string numericLimitation() const override { return "it flushes denormal numbers to zero"; }
-  void setShading(const ShadingTables& tables) override { reference_->setShading(tables); }
-  std::vector<std::uint32_t> sphereTableEntries(std::span<const Sphere> spheres,
-                                                ReceiverSpan receivers) override {
-    return reference_->sphereTableEntries(spheres, receivers);
-  }
-  std::vector<BitCube> mergeBitCubes(std::span<const Sphere> spheres,
-                                     ReceiverSpan receivers) override {
-    return reference_->mergeBitCubes(spheres, receivers);
-  }
-  std::vector<OcclusionHaar> transformOcclusion(std::span<const BitCube> cubes) override {
-    return reference_->transformOcclusion(cubes);
-  }
   std::vector<glm::vec4> tripleProduct(std::span<const OcclusionHaar> occlusion,
                                        std::span<const LobeBlend> lobes) override {
-    return scaled(reference_->tripleProduct(occlusion, lobes));
+    return scaled(engine_->tripleProduct(occlusion, lobes));
   }
   std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                StageTimes* times) override {
-    return scaled(reference_->shade(spheres, receivers, times));
+    return scaled(engine_->shade(spheres, receivers, times));
   }
 
  private:
@@ -46,7 +36,6 @@ class LimitedEngine final : public Engine {
     return radiance;
   }
 
-  std::unique_ptr<Engine> reference_ = makeReferenceEngine(nullptr);
   float factor_;
 };
 
@@ -63,7 +52,7 @@ std::vector<Row> rowsOf(float relativeError, std::size_t caseIndex) {
 
 TEST_CASE("a device that says it has a limit may differ by 1e-5 in radiance, and in nothing else") {
   const std::vector<Row> rows = rowsOf(1e-6f, 0);
-  CHECK(rows.size() == 9);  // bit cubes, coefficients, six settings, frame
+  CHECK(rows.size() == 10);  // moved spheres, bit cubes, coefficients, six settings, frame
   for (const Row& row : rows) {
     CHECK(row.mismatches == 0);
     CHECK(!row.tolerance.empty());
@@ -81,4 +70,30 @@ TEST_CASE("a device with a limit is not asked about denormal numbers") {
   const std::size_t denormal = 7;
   REQUIRE(randomCase(1, denormal).hasDenormals);
   CHECK(rowsOf(0, denormal).empty());
+}
+
+TEST_CASE("moved spheres are compared where a case has some, number by number") {
+  const std::vector<Sphere> expected{{{0, 1, 2}, 3}, {{4, 5, 6}, 7}};
+  std::vector<Sphere> actual = expected;
+  actual[0].center.x = -0.0f;
+  actual[1].center.y = std::nextafter(5.0f, 6.0f);
+  actual[1].radius = 8;
+  Tally tally{Row{}};
+  tally.compareMovedSpheres({}, expected, actual);
+  const Row row = tally.finish();
+  CHECK(row.compared == 8);
+  REQUIRE(row.mismatches == 3);
+  CHECK(row.firstMismatches[0].place == "sphere 0: centre x");
+  CHECK(row.firstMismatches[1].place == "sphere 1: centre y");
+  CHECK(row.firstMismatches[1].ulp == 1);
+  CHECK(row.firstMismatches[2].place == "sphere 1: radius");
+  CHECK(row.firstMismatches[2].sample == 1);
+
+  Case without = randomCase(1, 0);
+  without.binding = {};
+  Subject subject{"limited", "test", "", VisibilityKind::exact, makeReferenceEngine(nullptr)};
+  SubjectComparison comparison(std::move(subject), std::nullopt);
+  const Question question(without, allSettings);
+  comparison.compare(question, referenceAnswers(question, nullptr));
+  for (const Row& compared : comparison.rows()) CHECK(compared.stage != Stage::movedSpheres);
 }

@@ -40,6 +40,12 @@ void appendEntries(std::string& text, const KnownCase& known, std::size_t receiv
 
 std::string answerLines(const KnownCase& known) {
   std::string text;
+  for (const auto& [center, radius] : known.movedSpheres) {
+    text += "moved";
+    for (const float number : {center.x, center.y, center.z, radius})
+      text += " " + floatText(number);
+    text += "\n";
+  }
   for (std::size_t i = 0; i < known.exactBitCubes.size(); ++i) {
     appendEntries(text, known, i);
     appendRows(text, "exact " + std::to_string(i), known.exactBitCubes[i]);
@@ -55,7 +61,7 @@ std::string answerLines(const KnownCase& known) {
 }
 
 bool isAnswer(const std::string& line) {
-  for (const char* keyword : {"entries ", "exact ", "table ", "haar ", "radiance "})
+  for (const char* keyword : {"moved ", "entries ", "exact ", "table ", "haar ", "radiance "})
     if (line.starts_with(keyword)) return true;
   return false;
 }

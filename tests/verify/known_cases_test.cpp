@@ -57,6 +57,7 @@ bool isFrame(const Case& question) {
 KnownCase answered(const Case& question) {
   KnownCase known;
   known.question = question;
+  known.movedSpheres = oracleMovedSpheres(question.binding, question.vertices);
   if (isFrame(question)) {
     for (const auto visibility : {VisibilityKind::exact, VisibilityKind::table})
       known.radiance.push_back({visibility, 200, 2, 0});
@@ -79,6 +80,15 @@ KnownCase answered(const Case& question) {
     for (const int terms : {50, 200, 6144})
       for (const int levels : {1, 2}) known.radiance.push_back({visibility, terms, levels, 0});
   return known;
+}
+
+void checkSameSpheres(const std::vector<Sphere>& found, const std::vector<Sphere>& expected) {
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    CAPTURE(i);
+    CHECK(found[i].center == expected[i].center);
+    CHECK(found[i].radius == expected[i].radius);
+  }
 }
 
 std::vector<KnownCase> answersOfFile() {
@@ -104,10 +114,11 @@ bool writesAnswers() {
 TEST_CASE("every known answer about bits follows from the definitions") {
   if (writesAnswers()) return;
   const auto known = knownCases();
-  REQUIRE(known.size() >= 17);
+  REQUIRE(known.size() >= 22);
   for (const KnownCase& one : known) {
     CAPTURE(one.question.name);
     const KnownCase expected = answered(one.question);
+    checkSameSpheres(one.movedSpheres, expected.movedSpheres);
     CHECK(one.tableEntries == expected.tableEntries);
     REQUIRE(one.exactBitCubes.size() == expected.exactBitCubes.size());
     for (std::size_t i = 0; i < expected.exactBitCubes.size(); ++i) {
@@ -131,6 +142,7 @@ TEST_CASE("the scalar reference gives the known bits") {
     CAPTURE(one.question.name);
     const auto& [spheres, receivers] = std::tie(one.question.spheres, one.question.receivers);
     Engine& exact = referenceEngine(VisibilityKind::exact);
+    checkSameSpheres(moveSpheres(one.question.binding, one.question.vertices), one.movedSpheres);
     CHECK(exact.sphereTableEntries(spheres, receivers) == one.tableEntries);
     CHECK(exact.mergeBitCubes(spheres, receivers) == one.exactBitCubes);
     CHECK(referenceEngine(VisibilityKind::table).mergeBitCubes(spheres, receivers) ==
@@ -194,6 +206,26 @@ TEST_CASE("the known cases meet what they are named for") {
   CHECK(facesHit.size() == 6);
 }
 
+TEST_CASE("the known moved spheres follow a box as they should") {
+  std::map<std::string, std::vector<Sphere>> spheres;
+  for (const KnownCase& one : knownCases()) spheres[one.question.name] = one.movedSpheres;
+  const auto& box = spheres.at("known: spheres that follow a box");
+  REQUIRE(box.size() == 12);
+  for (int i = 0; i < 3; ++i) {
+    const auto& [center, radius] = box[i];
+    CHECK(box[3 + i].center == center + glm::vec3(1000.5f, -64, 0.25f));
+    CHECK(box[6 + i].center == glm::vec3(center.x, -center.z, center.y));
+    CHECK(box[9 + i].center == 2.0f * center);
+    CHECK(radius == (i < 2 ? 3 : 7));
+    for (const int pose : {1, 2}) CHECK(box[3 * pose + i].radius == radius);
+    CHECK(box[9 + i].radius == 2 * radius);
+  }
+  for (const Sphere& sphere : spheres.at("known: spheres that follow one point"))
+    CHECK(sphere.radius == 0);
+  CHECK(spheres.at("known: lists of 32, 33 and 64 vertices").size() == 3);
+  CHECK(spheres.at("known: 33 spheres along a chain").size() == 33);
+}
+
 TEST_CASE("known answers that do not fit their case are refused by name of the line") {
   const std::string start =
       "haarlight-known-answers 1\nname a\nlight constant 1 1 1\nsphere 0 2 0 1\n"
@@ -218,7 +250,15 @@ TEST_CASE("known answers that do not fit their case are refused by name of the l
           "f:6: the visibility must be 'exact' or 'table'");
   refused("entries 0 5\nsphere 0 0 0 1\n",
           "f:7: the line must be one of a case (before its answers) or begin with entries, exact, "
-          "table, haar or radiance");
+          "table, haar, radiance or moved");
+  const std::string bound = "vertex 1 2 3\nbound 1 0\nfollows 0 1 1 0\n";
+  CHECK(readKnownCases(start + bound + "moved 1 2 3 0\n", "f")[0].movedSpheres[0].center ==
+        glm::vec3(1, 2, 3));
+  refused("vertex 1 2 3\nbound 1 0\nfollows 0 1 1 0\n" + bound + "moved 1 2 3 0\n",
+          "f:12: the case needs a line 'moved x y z radius' for each bound sphere");
+  refused(bound + "moved 1 2 3 0\nmoved 1 2 3 0\n",
+          "f:10: the case needs a line 'moved x y z radius' for each bound sphere");
+  refused(bound + "moved 1 2 3\n", "f:9: the radius is missing; add it to the line");
   CHECK_THROWS_WITH_AS(readKnownCases("haarlight-known-answers 1\nlight constant 1 1 1\n", "f"),
                        "f:2: a case must begin with a line 'name …'", InputError);
 }

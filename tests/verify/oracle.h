@@ -15,9 +15,14 @@
 #include "cube/cube_image.h"
 #include "haar/occlusion_transform.h"
 #include "material/cosine_lobe.h"
-#include "visibility/sphere.h"
+#include "visibility/sphere_binding.h"
 
 namespace haarlight::test {
+
+/// Where the spheres are that follow the vertices: the weighted mean of what each follows, and the
+/// root of the weighted mean or largest square of the distances.
+std::vector<Sphere> oracleMovedSpheres(const SphereBinding& binding,
+                                       std::span<const glm::vec4> vertices);
 
 /// The (v, r) bin of a sphere: texel · 32 + radius bin.
 std::uint32_t oracleTableEntry(const Sphere& sphere, const glm::dvec3& position,

@@ -48,7 +48,8 @@ TEST_CASE("reference, CUDA kernels and known answers agree") {
   CHECK(!result.failingCase);
   CHECK(result.report.randomCases == 6);
   for (const VisibilityKind kind : {VisibilityKind::exact, VisibilityKind::table})
-    for (const Stage stage : {Stage::bitCubes, Stage::haar, Stage::tripleProduct, Stage::frame})
+    for (const Stage stage :
+         {Stage::movedSpheres, Stage::bitCubes, Stage::haar, Stage::tripleProduct, Stage::frame})
       CHECK(std::ranges::any_of(result.report.rows, [&](const Row& row) {
         return row.engine == "cuda-host" && row.stage == stage && row.visibility == nameOf(kind) &&
                row.compared > 0 && row.maximumUlp == 0;
@@ -56,7 +57,8 @@ TEST_CASE("reference, CUDA kernels and known answers agree") {
 }
 
 TEST_CASE("every kind of fault is found where it was put") {
-  for (const auto& [kind, stage] : {std::pair(InjectionKind::bit, Stage::bitCubes),
+  for (const auto& [kind, stage] : {std::pair(InjectionKind::sphere, Stage::movedSpheres),
+                                    std::pair(InjectionKind::bit, Stage::bitCubes),
                                     std::pair(InjectionKind::coefficient, Stage::haar),
                                     std::pair(InjectionKind::ulp, Stage::tripleProduct),
                                     std::pair(InjectionKind::order, Stage::tripleProduct)}) {
@@ -97,6 +99,48 @@ TEST_CASE("a failing case is cut down to one receiver and one sphere") {
   REQUIRE(result.failingCase);
   CHECK(result.failingCase->receivers.size() == 1);
   CHECK(result.failingCase->spheres.size() == 1);
+  CHECK(result.failingCase->vertices.empty());
+}
+
+TEST_CASE("a case with a wrong moved sphere is cut down to one that follows one vertex") {
+  RunOptions options = smallRun();
+  options.injection = Injection{InjectionKind::sphere, "cuda-host"};
+  options.shrinkFailure = true;
+  const auto failing = run(options, sphereTable()).failingCase;
+  REQUIRE(failing);
+  CHECK(failing->receivers.size() == 1);
+  CHECK(failing->binding.sphereCount() == 1);
+  CHECK(failing->vertices.size() == 1);
+}
+
+TEST_CASE("cutting down keeps the vertices and weights that a failure needs") {
+  Case whole;
+  whole.receivers.add({0, 0, 0}, {0, 1, 0});
+  whole.spheres = {{{0, 1, 0}, 1}};
+  for (int i = 0; i < 100; ++i) whole.vertices.emplace_back(i, 0, 0, 0);
+  std::vector<std::uint32_t> list;
+  std::vector<glm::vec4> weights;
+  for (std::uint32_t k = 0; k < 40; ++k) {
+    list.push_back(2 * k);
+    weights.emplace_back(k, 0, 1, 0);
+  }
+  for (const float factor : {1.0f, 2.0f, 3.0f}) whole.binding.add(list, weights, {0, factor});
+  const auto entryOf = [](const Case& part, const glm::vec2& factors, float x, float weight) {
+    const SphereBinding& binding = part.binding;
+    for (std::size_t i = 0; i < binding.sphereCount(); ++i)
+      for (std::size_t k = binding.listStarts[i]; k < binding.listStarts[i + 1]; ++k)
+        if (binding.radiusFactors[i] == factors && binding.weights[k].x == weight &&
+            part.vertices[binding.vertices[k]].x == x)
+          return true;
+    return false;
+  };
+  const Case small = shrunk(whole, [&](const Case& part) {
+    return entryOf(part, {0, 2}, 10, 5) && entryOf(part, {0, 2}, 66, 33) &&
+           entryOf(part, {0, 3}, 6, 3);
+  });
+  CHECK(small.binding.sphereCount() == 2);
+  CHECK(small.vertices.size() == 3);
+  CHECK(small.binding.listStarts == std::vector<std::uint32_t>{0, 32, 64});
 }
 
 TEST_CASE("cutting down keeps just what is needed to fail") {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "base/canonical_order.h"
 #include "base/file.h"
 #include "base/text_format.h"
 #include "verify/cases/case_lines.h"
@@ -32,6 +33,33 @@ bool isPlainZero(const glm::vec3& color) {
   return (bits(color.r) | bits(color.g) | bits(color.b)) == 0;
 }
 
+/// Size of a list without the entries that fill it up, which a reader adds again.
+std::size_t listSizeWithoutFilling(const SphereBinding& binding, std::size_t first,
+                                   std::size_t size) {
+  const auto isFilling = [&](std::size_t entry) {
+    const glm::vec4& w = binding.weights[entry];
+    return binding.vertices[entry] == binding.vertices[first] && isPlainZero(glm::vec3(w));
+  };
+  const std::size_t least = size - partialSums + 1;
+  while (size > least && isFilling(first + size - 1)) --size;
+  return size;
+}
+
+void appendBinding(std::string& text, const Case& value) {
+  for (const glm::vec4& v : value.vertices) appendLine(text, "vertex", {v.x, v.y, v.z});
+  const SphereBinding& binding = value.binding;
+  for (std::size_t i = 0; i < binding.sphereCount(); ++i) {
+    appendLine(text, "bound", {binding.radiusFactors[i].x, binding.radiusFactors[i].y});
+    const std::size_t first = binding.listStarts[i];
+    const std::size_t size =
+        listSizeWithoutFilling(binding, first, binding.listStarts[i + 1] - first);
+    for (std::size_t entry = first; entry < first + size; ++entry) {
+      const glm::vec4& w = binding.weights[entry];
+      appendLine(text, "follows " + std::to_string(binding.vertices[entry]), {w.x, w.y, w.z});
+    }
+  }
+}
+
 }  // namespace
 
 std::string caseText(const Case& value) {
@@ -45,6 +73,7 @@ std::string caseText(const Case& value) {
   for (int texel = 0; texel < texelCount; ++texel)
     if (const glm::vec3 color = value.light[texel]; !isPlainZero(color))
       appendLine(text, "texel " + std::to_string(texel), {color.r, color.g, color.b});
+  appendBinding(text, value);
   return text;
 }
 
@@ -54,7 +83,9 @@ Case readCaseText(const std::string& text, const std::string& source) {
   CaseLines lines;
   while (line.next())
     if (!lines.read(line))
-      line.fail("the line must begin with name, sphere, receiver, plane, light or texel");
+      line.fail(
+          "the line must begin with name, sphere, receiver, plane, light, texel, vertex, bound or "
+          "follows");
   return lines.finish(line);
 }
 

@@ -12,9 +12,12 @@
 ///   light constant red green blue      the same radiance from everywhere
 ///   light random seed                  randomLight(seed)
 ///   texel index red green blue         or texel by texel; those not named are black
+///   vertex x y z                       what spheres can follow; vertices are numbered from 0
+///   bound mean reach                   a sphere that follows vertices, with its radius factors
+///   follows vertex a b g               and one of its entries (visibility/sphere_binding.h)
 ///
-/// Receivers are at most 1,048,576. Numbers are decimal or, so that every bit is kept, hexadecimal
-/// as C's %a writes them.
+/// Receivers and vertices are at most 1,048,576, bound spheres 65,536. Numbers are decimal or, so
+/// that every bit is kept, hexadecimal as C's %a writes them.
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,7 @@
 #include "verify/cases/case_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,18 @@ namespace {
 
 constexpr std::size_t mostSpheres = 65536;
 constexpr std::size_t mostReceivers = 1048576;
+constexpr std::size_t mostVertices = 1048576;
+
+void checkCount(const LineReader& line, std::size_t count, std::size_t most, const char* things) {
+  if (count > most)
+    line.fail("a case has at most " + std::to_string(most) + " " + things + "; remove some");
+}
+
+float readNotNegative(LineReader& line, const std::string& what) {
+  const float number = line.number(what);
+  if (std::signbit(number)) line.fail(what + " must not be negative");
+  return number;
+}
 
 glm::vec3 readVector(LineReader& line, const std::string& what) {
   glm::vec3 vector;
@@ -35,9 +48,11 @@ bool CaseLines::read(LineReader& line) {
     void (CaseLines::*read)(LineReader&);
   };
   constexpr Reader readers[] = {
-      {"name", &CaseLines::readName},   {"sphere", &CaseLines::readSphere},
-      {"plane", &CaseLines::readPlane}, {"receiver", &CaseLines::readReceiver},
-      {"light", &CaseLines::readLight}, {"texel", &CaseLines::readTexel}};
+      {"name", &CaseLines::readName},      {"sphere", &CaseLines::readSphere},
+      {"plane", &CaseLines::readPlane},    {"receiver", &CaseLines::readReceiver},
+      {"light", &CaseLines::readLight},    {"texel", &CaseLines::readTexel},
+      {"vertex", &CaseLines::readVertex},  {"bound", &CaseLines::readBound},
+      {"follows", &CaseLines::readFollows}};
   const auto* reader = std::ranges::find(readers, line.keyword(), &Reader::keyword);
   if (reader == std::end(readers)) return false;
   (this->*reader->read)(line);
@@ -51,21 +66,15 @@ void CaseLines::readName(LineReader& line) {
 }
 
 void CaseLines::readSphere(LineReader& line) {
-  if (value_.spheres.size() == mostSpheres)
-    line.fail("a case has at most " + std::to_string(mostSpheres) + " spheres; remove some");
+  checkCount(line, value_.spheres.size() + 1, mostSpheres, "spheres");
   const glm::vec3 center = readVector(line, "a sphere's centre");
   const float radius = line.number("a sphere's radius");
   if (!(radius > 0)) line.fail("a sphere's radius must be greater than zero");
   value_.spheres.push_back({center, radius});
 }
 
-void CaseLines::checkReceiverCount(const LineReader& line, std::size_t more) const {
-  if (value_.receivers.size() + more > mostReceivers)
-    line.fail("a case has at most " + std::to_string(mostReceivers) + " receivers; remove some");
-}
-
 void CaseLines::readReceiver(LineReader& line) {
-  checkReceiverCount(line, 1);
+  checkCount(line, value_.receivers.size() + 1, mostReceivers, "receivers");
   const glm::vec3 position = readVector(line, "a receiver's position");
   const glm::vec3 normal = readVector(line, "a receiver's normal");
   const double length = std::hypot(double(normal.x), double(normal.y), double(normal.z));
@@ -76,7 +85,8 @@ void CaseLines::readReceiver(LineReader& line) {
 void CaseLines::readPlane(LineReader& line) {
   const auto count = int(line.wholeNumber("the receivers per side of a plane", 1, 1024));
   const float spacing = line.number("the spacing of a plane");
-  checkReceiverCount(line, std::size_t(count) * std::size_t(count));
+  checkCount(line, value_.receivers.size() + std::size_t(count) * std::size_t(count), mostReceivers,
+             "receivers");
   const auto coordinate = [&](int i) { return float(2 * i + 1 - count) * 0.5f * spacing; };
   for (int row = 0; row < count; ++row)
     for (int column = 0; column < count; ++column)
@@ -105,11 +115,53 @@ void CaseLines::readTexel(LineReader& line) {
   value_.light[int(texel)] = readColor(line, "a texel");
 }
 
+void CaseLines::readVertex(LineReader& line) {
+  checkCount(line, value_.vertices.size() + 1, mostVertices, "vertices");
+  value_.vertices.emplace_back(readVector(line, "a vertex"), 0);
+}
+
+void CaseLines::readBound(LineReader& line) {
+  finishBound(line);
+  checkCount(line, value_.binding.sphereCount() + 1, mostSpheres, "bound spheres");
+  const float mean = readNotNegative(line, "the factor of the mean");
+  bound_ = {{mean, readNotNegative(line, "the factor of the reach")}, {}, {}};
+}
+
+void CaseLines::readFollows(LineReader& line) {
+  if (!bound_) line.fail("a line 'bound mean reach' must come before what the sphere follows");
+  if (value_.vertices.empty())
+    line.fail("the case has no vertex yet; add a line 'vertex x y z' before");
+  bound_->vertices.push_back(
+      std::uint32_t(line.wholeNumber("the number of a vertex", 0, value_.vertices.size() - 1)));
+  const float forCenter = line.number("the weight for the centre");
+  const float forMean = readNotNegative(line, "the weight for the mean");
+  const float forReach = readNotNegative(line, "the weight for the reach");
+  bound_->weights.emplace_back(forCenter, forMean, forReach, 0);
+}
+
+/// After the last line of a bound sphere, if there was one.
+void CaseLines::finishBound(const LineReader& line) {
+  if (!bound_) return;
+  if (bound_->vertices.empty())
+    line.fail("a bound sphere follows nothing; add a line 'follows vertex a b g'");
+  value_.binding.add(bound_->vertices, bound_->weights, bound_->radiusFactors);
+  bound_.reset();
+}
+
+void CaseLines::checkMovedSpheres(const LineReader& line) const {
+  const auto isFinite = [](float number) { return std::isfinite(number); };
+  for (const auto& [center, radius] : moveSpheres(value_.binding, value_.vertices))
+    if (!std::ranges::all_of(std::array{center.x, center.y, center.z, radius}, isFinite))
+      line.fail("a bound sphere leaves the range of float32; choose smaller numbers");
+}
+
 Case CaseLines::finish(const LineReader& line) {
   if (value_.name.empty()) line.fail("the case has no name; add a line 'name …'");
   if (value_.receivers.size() == 0)
     line.fail("the case has no receiver; add a line 'receiver x y z nx ny nz'");
-  value_.hasDenormals = involvesDenormals(value_.spheres, value_.receivers);
+  finishBound(line);
+  checkMovedSpheres(line);
+  value_.hasDenormals = involvesDenormals(value_);
   return std::exchange(*this, {}).value_;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +30,21 @@ class CaseLines {
   void readPlane(LineReader& line);
   void readLight(LineReader& line);
   void readTexel(LineReader& line);
-  void checkReceiverCount(const LineReader& line, std::size_t more) const;
+  void readVertex(LineReader& line);
+  void readBound(LineReader& line);
+  void readFollows(LineReader& line);
+  void finishBound(const LineReader& line);
+  void checkMovedSpheres(const LineReader& line) const;
+
+  /// The sphere of the last line 'bound', with the lines 'follows' since.
+  struct BoundSphere {
+    glm::vec2 radiusFactors;
+    std::vector<std::uint32_t> vertices;
+    std::vector<glm::vec4> weights;
+  };
 
   Case value_;
+  std::optional<BoundSphere> bound_;
   bool hasLight_ = false;
   /// Texels that had their line; empty when none had.
   std::vector<bool> texelsRead_;

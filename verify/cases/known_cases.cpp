@@ -29,6 +29,9 @@ class KnownCaseLines {
   KnownCase finish(const LineReader& line) {
     startAnswers();
     known_.question = question_.finish(line);
+    const std::size_t moved = known_.movedSpheres.size();
+    if (moved != 0 && moved != known_.question.binding.sphereCount())
+      line.fail("the case needs a line 'moved x y z radius' for each bound sphere");
     if (hasHaar_) {
       if (std::ranges::count(known_.tableEntries, noEntry))
         line.fail("the case lacks the table entries of a receiver; add a line 'entries …'");
@@ -64,11 +67,12 @@ class KnownCaseLines {
       readHaar(line);
     else if (keyword == "radiance")
       readRadiance(line);
+    else if (keyword == "moved")
+      known_.movedSpheres.push_back(readSphere(line));
     else
       line.fail(
           "the line must be one of a case (before its answers) or begin with entries, exact, "
-          "table, "
-          "haar or radiance");
+          "table, haar, radiance or moved");
   }
 
   std::size_t readReceiver(LineReader& line) {
@@ -109,6 +113,11 @@ class KnownCaseLines {
     radiance.levels = int(line.wholeNumber("the number of levels", 1, 2));
     radiance.hash = line.hexadecimal("the hash", 16);
     known_.radiance.push_back(radiance);
+  }
+
+  static Sphere readSphere(LineReader& line) {
+    const float x = line.number("x"), y = line.number("y"), z = line.number("z");
+    return {{x, y, z}, line.number("the radius")};
   }
 
   CaseLines question_;

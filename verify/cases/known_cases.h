@@ -13,8 +13,10 @@
 ///   table receiver row word …              the same by the sphere table
 ///   haar hash                              see KnownCase::haarHash
 ///   radiance visibility terms levels hash  see KnownRadiance
+///   moved x y z radius                     the next of the bound spheres
 ///
-/// A case without a haar line answers for its radiance only.
+/// A case without a haar line answers for no bits of its receivers, one without moved lines for no
+/// bound spheres.
 
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -43,8 +45,10 @@ struct KnownRadiance {
 /// A case and its answers.
 struct KnownCase {
   Case question;
+  /// Where the bound spheres are; empty where the case does not say.
+  std::vector<Sphere> movedSpheres;
   /// receiver · spheres + sphere. This, the bit cubes and haarHash are empty and 0 where the case
-  /// answers for its radiance only.
+  /// answers for its radiance and moved spheres only.
   std::vector<std::uint32_t> tableEntries;
   /// One per receiver.
   std::vector<BitCube> exactBitCubes, tableBitCubes;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "verify/cases/random_binding.h"
 #include "verify/cases/random_spheres.h"
 
 namespace haarlight::verify {
@@ -103,7 +104,8 @@ Case randomCase(std::uint64_t seed, std::size_t index) {
   while (int(result.spheres.size()) < count)
     result.spheres.push_back(randomSphere(random, result, kind));
   result.light = randomLight(random.next());
-  result.hasDenormals = involvesDenormals(result.spheres, result.receivers);
+  addRandomBinding(random, kind == CaseKind::denormals, result);
+  result.hasDenormals = involvesDenormals(result);
   return result;
 }
 

@@ -26,7 +26,7 @@ class PortableRandom {
 /// Case `index` of a run with `seed`: 1 … 256 spheres of all kinds (verify/cases/random_spheres.h)
 /// around four receivers with any normal, and a light of a dim sky and a few lamps. Every eighth
 /// case, and no other, has spheres at denormal distances; every eighth has nothing but small
-/// spheres on bounds.
+/// spheres on bounds. Each also has spheres that follow vertices (verify/cases/random_binding.h).
 Case randomCase(std::uint64_t seed, std::size_t index);
 
 /// A light of a dim sky and a few lamps up to 10⁴ times brighter.

@@ -29,6 +29,8 @@ std::uint64_t sumOverRows(const Report& report, std::uint64_t Row::*count) {
 
 std::string nameOf(Stage stage) {
   switch (stage) {
+    case Stage::movedSpheres:
+      return "moved spheres";
     case Stage::tableEntries:
       return "table entries";
     case Stage::bitCubes:

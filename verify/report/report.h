@@ -10,12 +10,13 @@
 namespace haarlight::verify {
 
 /// The stages of a frame, each compared on its own: every stage gets the reference's results of the
-/// stage before, so that a mismatch is reported where it arises. Only `frame` runs all of them.
-enum class Stage { tableEntries, bitCubes, haar, tripleProduct, frame };
-inline constexpr std::array allStages{Stage::tableEntries, Stage::bitCubes, Stage::haar,
-                                      Stage::tripleProduct, Stage::frame};
+/// stage before, so that a mismatch is reported where it arises. Only `frame` runs all of them, but
+/// for `movedSpheres`, which has spheres of its own.
+enum class Stage { movedSpheres, tableEntries, bitCubes, haar, tripleProduct, frame };
+inline constexpr std::array allStages{Stage::movedSpheres, Stage::tableEntries,  Stage::bitCubes,
+                                      Stage::haar,         Stage::tripleProduct, Stage::frame};
 
-/// "table entries", "bit cubes", "Haar coefficients", "triple product", "frame".
+/// "moved spheres", "table entries", "bit cubes", "Haar coefficients", "triple product", "frame".
 std::string nameOf(Stage stage);
 
 /// Whether a stage's results are float32 (else unsigned integers, which have no ULP).
@@ -29,12 +30,13 @@ enum class Verdict { agrees, withinTolerance, differs, skipped };
 std::string nameOf(Verdict verdict);
 
 /// Where one value stands, in words: "face +X, row 3, column 17", "face -Y, level 2, row 1,
-/// column 0, diagonal", "sphere 12: column", "green", …
+/// column 0, diagonal", "sphere 12: column", "sphere 12: radius", "green", …
 using Place = std::string;
 
 /// A value that differs from the reference's.
 struct Mismatch {
   std::string caseName;
+  /// The receiver; of moved spheres, the sphere.
   std::size_t sample = 0;
   Place place;
   /// Whether the values are float32 (else unsigned integers).
@@ -101,7 +103,7 @@ struct Absent {
 
 /// What became of the faults that were put into one engine's results (verify/injection.h).
 struct FaultSummary {
-  /// "bit", "coefficient", "ulp" or "order".
+  /// "sphere", "bit", "coefficient", "ulp" or "order".
   std::string kind;
   std::string engine, device, shape, visibility;
   std::uint64_t injected = 0;

@@ -8,6 +8,7 @@
 ///
 /// A kernel's file is included inside a namespace with `using namespace host_emulation`.
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -25,6 +26,9 @@ namespace haarlight::host_emulation {
 
 struct alignas(16) float4 {
   float x, y, z, w;
+};
+struct alignas(8) float2 {
+  float x, y;
 };
 struct alignas(16) uint4 {
   unsigned x, y, z, w;
@@ -48,6 +52,16 @@ inline unsigned min(unsigned a, unsigned b) {
 }
 inline unsigned max(unsigned a, unsigned b) {
   return a > b ? a : b;
+}
+
+inline float __uint_as_float(unsigned bits) {
+  return std::bit_cast<float>(bits);
+}
+inline unsigned __float_as_uint(float value) {
+  return std::bit_cast<unsigned>(value);
+}
+inline float fmaxf(float a, float b) {
+  return std::fmax(a, b);
 }
 
 /// a·b + c, rounded once.

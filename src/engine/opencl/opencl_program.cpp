@@ -42,8 +42,9 @@ std::string kernelText(const std::string& fileName) {
 std::string openClSource(const KernelShape& shape) {
   std::string source = constants(shape);
   for (const char* file :
-       {"lanes.cl", "sphere_bin.cl", "sphere_table_entries.cl", "merge_bit_cubes.cl",
-        "merge_bit_cubes_exactly.cl", "transform_occlusion.cl", "triple_product.cl"})
+       {"lanes.cl", "canonical_sum.cl", "move_spheres.cl", "sphere_bin.cl",
+        "sphere_table_entries.cl", "merge_bit_cubes.cl", "merge_bit_cubes_exactly.cl",
+        "transform_occlusion.cl", "triple_product.cl"})
     source += kernelText(file);
   return source;
 }

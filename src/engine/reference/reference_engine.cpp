@@ -31,6 +31,12 @@ class ReferenceEngine final : public Engine {
 
   void setShading(const ShadingTables& tables) override { tables_ = tables; }
 
+  void setSphereBinding(const SphereBinding& binding) override { binding_ = binding; }
+
+  std::vector<Sphere> moveSpheres(std::span<const glm::vec4> positions) override {
+    return haarlight::moveSpheres(binding_, positions);
+  }
+
   std::vector<std::uint32_t> sphereTableEntries(std::span<const Sphere> spheres,
                                                 ReceiverSpan receivers) override {
     std::vector<std::uint32_t> entries;
@@ -91,6 +97,7 @@ class ReferenceEngine final : public Engine {
 
   std::shared_ptr<const SphereTable> table_;
   ShadingTables tables_;
+  SphereBinding binding_;
 };
 
 }  // namespace

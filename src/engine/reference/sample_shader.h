@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/vec3.hpp>
 
 #include "engine/shading_tables.h"
@@ -19,12 +20,7 @@ class CanonicalSum {
       partial[channel] = std::fma(coefficient[channel], value, partial[channel]);
   }
 
-  glm::vec3 total() const {
-    auto sums = partials_;
-    for (int half = partialSums / 2; half > 0; half /= 2)
-      for (int i = 0; i < half; ++i) sums[i] += sums[i + half];
-    return sums[0];
-  }
+  glm::vec3 total() const { return combineAsTree(partials_, std::plus<>()); }
 
  private:
   std::array<glm::vec3, partialSums> partials_{};
