@@ -1,5 +1,6 @@
 #include "light/analytic_environment.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -58,6 +59,16 @@ glm::vec3 AnalyticEnvironment::radiance(const glm::vec3& direction) const {
   return exactRadiance(glm::normalize(glm::dvec3(direction)));
 }
 
+std::vector<Lobe> AnalyticEnvironment::lobesWithin(const glm::dvec3& unitDirection,
+                                                   double radians) const {
+  std::vector<Lobe> near;
+  for (const Lobe& lobe : lobes_)
+    if (std::acos(std::clamp(glm::dot(lobe.direction, unitDirection), -1.0, 1.0)) <
+        std::acos(lobe.cosRadius) + radians)
+      near.push_back(lobe);
+  return near;
+}
+
 LightIntegrals AnalyticEnvironment::integrate(const glm::dmat3& rotation) const {
   const glm::dmat3 toLight = glm::transpose(rotation);
   constexpr double step = 2.0 / (faceSize * samplesPerSide);
@@ -65,13 +76,18 @@ LightIntegrals AnalyticEnvironment::integrate(const glm::dmat3& rotation) const 
   const auto integrateTexel = [&](int texel) {
     const int face = texel / texelsPerFace, row = texel / faceSize % faceSize,
               column = texel % faceSize;
+    // No point of a texel is farther from its centre than half its diagonal on the cube.
+    const auto lobes = lobesWithin(toLight * texelDirection(texel), std::numbers::sqrt2 / faceSize);
     for (int i = 0; i < samplesPerSide * samplesPerSide; ++i) {
       const double s = -1 + (column * samplesPerSide + i % samplesPerSide + 0.5) * step;
       const double t = -1 + (row * samplesPerSide + i / samplesPerSide + 0.5) * step;
       const glm::dvec3 place = cubeDirection({face, s, t});
       const double distance = glm::length(place);
       const double solidAngle = step * step / (distance * distance * distance);
-      integrals.radiance[texel] += solidAngle * exactRadiance(toLight * (place / distance));
+      const glm::dvec3 direction = toLight * (place / distance);
+      glm::dvec3 radiance = sky_.radiance(direction.y);
+      for (const Lobe& lobe : lobes) radiance += lobe.radiance(direction);
+      integrals.radiance[texel] += solidAngle * radiance;
       integrals.solidAngle[texel] += solidAngle;
     }
   };

@@ -42,6 +42,8 @@ class AnalyticEnvironment final : public Environment {
   LightIntegrals integrate(const glm::dmat3& rotation) const override;
 
  private:
+  /// Lobes that reach some direction within an angle of this one.
+  std::vector<Lobe> lobesWithin(const glm::dvec3& unitDirection, double radians) const;
   glm::dvec3 exactRadiance(const glm::dvec3& unitDirection) const;
 
   std::string description_;

@@ -6,6 +6,16 @@
 
 namespace haarlight {
 
+std::optional<FieldProblem> sightProblem(const CameraDescription& camera) {
+  const glm::dvec3 sight = camera.target - camera.position;
+  const double smallestSine = 1e-6;
+  if (sight == glm::dvec3(0)) return FieldProblem{"target", "must differ from the position"};
+  if (glm::length(glm::cross(sight, camera.up)) <=
+      smallestSine * glm::length(sight) * glm::length(camera.up))
+    return FieldProblem{"up", "must not be zero or parallel to the line from position to target"};
+  return std::nullopt;
+}
+
 Camera::Camera(const CameraDescription& description, int width, int height)
     : position_(description.position) {
   const glm::dvec3 forward = glm::normalize(description.target - description.position);

@@ -1,16 +1,26 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "scene/scene_description.h"
 
 namespace haarlight {
 
+/// What is wrong with one field of a description.
+struct FieldProblem {
+  const char* field;
+  const char* problem;
+};
+
+/// Why a camera sees nothing; nothing when it does.
+std::optional<FieldProblem> sightProblem(const CameraDescription& camera);
+
 /// A pinhole camera for an image of width × height square pixels, right-handed: looking along −z
 /// with y up, +x is on the right.
 class Camera {
  public:
-  /// The description has passed parseScene's checks; width and height are > 0.
+  /// sightProblem() has nothing to say about the description; width and height are > 0.
   Camera(const CameraDescription& description, int width, int height);
 
   /// Where all rays start.

@@ -66,11 +66,28 @@ void FieldReader::number(const char* name, double& value, const Range& range) {
   if (const auto field = find(name)) value = field->number(range);
 }
 
+void FieldReader::number(const char* name, std::optional<double>& value, const Range& range) {
+  if (const auto field = find(name)) value = field->number(range);
+}
+
 void FieldReader::text(const char* name, std::string& value) {
   if (const auto field = find(name)) value = field->text();
 }
 
+void FieldReader::text(const char* name, std::optional<std::string>& value) {
+  if (const auto field = find(name)) value = field->text();
+}
+
+void FieldReader::path(const char* name, std::optional<std::filesystem::path>& value) {
+  if (const auto field = find(name)) value = field->path();
+}
+
 void FieldReader::resource(const char* name, std::string& value,
+                           const std::vector<std::string>& builtins) {
+  if (const auto field = find(name)) value = field->resource(builtins);
+}
+
+void FieldReader::resource(const char* name, std::optional<std::string>& value,
                            const std::vector<std::string>& builtins) {
   if (const auto field = find(name)) value = field->resource(builtins);
 }
@@ -119,6 +136,16 @@ void FieldReader::vectorOrWord(const char* name, std::optional<glm::dvec3>& valu
     value = field->vector<glm::dvec3>(range);
   else
     field->failWithValue(fmt::format("must be an array of 3 numbers or \"{}\"", word));
+}
+
+void FieldReader::requireIncreasingSeconds(const JsonValue& keys) {
+  if (keys.json().empty()) keys.fail("must not be empty");
+  for (std::size_t i = 1; i < keys.json().size(); ++i) {
+    const double before = keys.json()[i - 1]["seconds"];
+    const JsonValue key = keys.element(i), seconds = key.member("seconds");
+    if (!(seconds.json().get<double>() > before))
+      seconds.failWithValue(fmt::format("must be > {}, those of the key before", before));
+  }
 }
 
 void FieldReader::require(const char* name) const {

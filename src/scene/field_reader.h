@@ -22,8 +22,13 @@ class FieldReader {
   void flag(const char* name, bool& value);
   void integer(const char* name, int& value, const Range& range);
   void number(const char* name, double& value, const Range& range);
+  void number(const char* name, std::optional<double>& value, const Range& range);
   void text(const char* name, std::string& value);
+  void text(const char* name, std::optional<std::string>& value);
+  void path(const char* name, std::optional<std::filesystem::path>& value);
   void resource(const char* name, std::string& value, const std::vector<std::string>& builtins);
+  void resource(const char* name, std::optional<std::string>& value,
+                const std::vector<std::string>& builtins);
   void word(const char* name, std::string& value, std::span<const std::string_view> words);
   /// A number stands for three equal ones.
   void numberOrVector(const char* name, glm::dvec3& value, const Range& range);
@@ -40,8 +45,14 @@ class FieldReader {
     if (const auto field = find(name)) value = field->vector<Vector>(range);
   }
 
-  template <typename Choice, std::size_t count>
-  void choice(const char* name, Choice& value, const std::array<Named<Choice>, count>& names) {
+  template <typename Vector>
+  void vector(const char* name, std::optional<Vector>& value, const Range& range) {
+    if (const auto field = find(name)) value = field->vector<Vector>(range);
+  }
+
+  /// `value` is a Choice or a std::optional of one.
+  template <typename Value, typename Choice, std::size_t count>
+  void choice(const char* name, Value& value, const std::array<Named<Choice>, count>& names) {
     if (const auto field = find(name)) value = field->choice(names);
   }
 
@@ -64,6 +75,14 @@ class FieldReader {
       read(field->element(i), values.emplace_back());
   }
 
+  /// A list that must be there, of 1 to 65536 objects whose `seconds` increase.
+  template <typename Key>
+  void keys(const char* name, std::vector<Key>& values) {
+    require(name);
+    list(name, values, 65536);
+    requireIncreasingSeconds(object_.member(name));
+  }
+
   /// Throws InputError when the field is absent.
   void require(const char* name) const;
   /// A text that is allowed and says nothing.
@@ -81,6 +100,7 @@ class FieldReader {
 
  private:
   std::optional<JsonValue> find(const char* name);
+  static void requireIncreasingSeconds(const JsonValue& keys);
 
   JsonValue object_;
   std::vector<std::string_view> knownNames_;

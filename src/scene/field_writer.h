@@ -20,9 +20,22 @@ class FieldWriter {
   void flag(const char* name, bool value) { json_[name] = value; }
   void integer(const char* name, int value, const Range&) { json_[name] = value; }
   void number(const char* name, double value, const Range&) { json_[name] = value; }
+  void number(const char* name, const std::optional<double>& value, const Range& range) {
+    if (value) number(name, *value, range);
+  }
   void text(const char* name, const std::string& value) { json_[name] = value; }
+  void text(const char* name, const std::optional<std::string>& value) {
+    if (value) text(name, *value);
+  }
+  void path(const char* name, const std::optional<std::filesystem::path>& value) {
+    if (value) text(name, value->string());
+  }
   void resource(const char* name, const std::string& value, const std::vector<std::string>&) {
     json_[name] = value;
+  }
+  void resource(const char* name, const std::optional<std::string>& value,
+                const std::vector<std::string>&) {
+    text(name, value);
   }
   void word(const char* name, const std::string& value, std::span<const std::string_view>) {
     json_[name] = value;
@@ -39,11 +52,11 @@ class FieldWriter {
   }
   void numberOrWord(const char* name, std::optional<double> value, const char* word,
                     const Range& range) {
-    value ? number(name, *value, range) : text(name, word);
+    value ? number(name, *value, range) : text(name, std::string(word));
   }
   void vectorOrWord(const char* name, const std::optional<glm::dvec3>& value, const char* word,
                     const Range& range) {
-    value ? vector(name, *value, range) : text(name, word);
+    value ? vector(name, *value, range) : text(name, std::string(word));
   }
 
   template <typename Vector>
@@ -51,10 +64,21 @@ class FieldWriter {
     for (int i = 0; i < Vector::length(); ++i) json_[name].push_back(value[i]);
   }
 
+  template <typename Vector>
+  void vector(const char* name, const std::optional<Vector>& value, const Range& range) {
+    if (value) vector(name, *value, range);
+  }
+
   template <typename Choice, std::size_t count>
   void choice(const char* name, Choice value, const std::array<Named<Choice>, count>& names) {
     for (const auto& named : names)
       if (named.choice == value) json_[name] = named.name;
+  }
+
+  template <typename Choice, std::size_t count>
+  void choice(const char* name, const std::optional<Choice>& value,
+              const std::array<Named<Choice>, count>& names) {
+    if (value) choice(name, *value, names);
   }
 
   template <typename Description>
@@ -71,6 +95,11 @@ class FieldWriter {
   void list(const char* name, std::vector<Description>& values, std::size_t) {
     json_[name] = nlohmann::ordered_json::array();
     for (Description& value : values) json_[name].push_back(write(value));
+  }
+
+  template <typename Key>
+  void keys(const char* name, std::vector<Key>& values) {
+    list(name, values, values.size());
   }
 
   void require(const char*) const {}

@@ -39,27 +39,53 @@ std::size_t findOverflow(std::string_view text, const std::string& message) {
   return text.find(message.substr(open, message.rfind('\'') - open));
 }
 
-/// Refuses what the grammar allows and the library would pass over in silence.
-class StructureGuard {
+/// Refuses what the grammar allows and the library would pass over in silence. It comes before the
+/// library's own parse, whose callbacks take time with the square of an array's size.
+class StructureGuard : public nlohmann::json_sax<json> {
  public:
   explicit StructureGuard(const std::string& fileName) : fileName_(fileName) {}
 
-  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-    using enum json::parse_event_t;
-    if (depth >= maximumJsonDepth && (event == object_start || event == array_start))
-      throw InputError(fmt::format("{}: arrays and objects are nested more than {} deep", fileName_,
-                                   maximumJsonDepth));
-    if (event == object_start) names_.emplace_back();
-    if (event == object_end) names_.pop_back();
-    if (event == key && !names_.back().insert(parsed.get<std::string>()).second)
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+
+  bool start_object(std::size_t) override { return enter(); }
+  bool start_array(std::size_t) override { return enter(); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+
+  bool key(string_t& name) override {
+    if (!names_.back().insert(name).second)
       throw InputError(
-          fmt::format("{}: field {} is given twice in one object", fileName_, parsed.dump()));
+          fmt::format("{}: field {} is given twice in one object", fileName_, json(name).dump()));
     return true;
   }
 
+  /// Left to the parse that follows.
+  bool parse_error(std::size_t, const std::string&, const json::exception&) override {
+    return false;
+  }
+
  private:
+  bool enter() {
+    if (names_.size() >= maximumJsonDepth)
+      throw InputError(fmt::format("{}: arrays and objects are nested more than {} deep", fileName_,
+                                   maximumJsonDepth));
+    names_.emplace_back();
+    return true;
+  }
+
+  bool leave() {
+    names_.pop_back();
+    return true;
+  }
+
   const std::string& fileName_;
-  std::vector<std::set<std::string>> names_;
+  std::vector<std::set<std::string>> names_;  // one for each array and object around
 };
 
 }  // namespace
@@ -69,9 +95,8 @@ json parseJson(std::string_view text, const std::string& fileName) {
   if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
   try {
     StructureGuard guard(fileName);
-    return json::parse(text, [&](int depth, json::parse_event_t event, json& parsed) {
-      return guard(depth, event, parsed);
-    });
+    json::sax_parse(text, &guard);
+    return json::parse(text);
   } catch (const json::parse_error& error) {
     const std::size_t position = std::min(error.byte - 1, text.size());
     const bool comment = position < text.size() && (text[position] == '/' || text[position] == '#');

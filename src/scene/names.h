@@ -18,7 +18,8 @@ struct Named {
 
 inline constexpr std::string_view builtinPrefix = "builtin:";
 
-inline constexpr std::array<std::string_view, 2> builtinScenes{"builtin:default", "builtin:smooth"};
+inline constexpr std::array<std::string_view, 3> builtinScenes{"builtin:default", "builtin:smooth",
+                                                               "builtin:twist"};
 
 inline constexpr std::array<Named<Rest>, 2> restNames{{
     {"none", Rest::None},
@@ -43,6 +44,24 @@ inline constexpr std::array<Named<VisibilityKind>, 2> visibilityKindNames{{
 inline constexpr std::array<Named<FitObjective>, 2> fitObjectiveNames{{
     {"cover", FitObjective::cover},
     {"shadow", FitObjective::shadow},
+}};
+
+inline constexpr std::array<Named<Axis>, 3> axisNames{{
+    {"x", Axis::x},
+    {"y", Axis::y},
+    {"z", Axis::z},
+}};
+
+inline constexpr std::array<Named<Ease>, 3> easeNames{{
+    {"linear", Ease::linear},
+    {"smooth", Ease::smooth},
+    {"hold", Ease::hold},
+}};
+
+inline constexpr std::array<Named<Repeat>, 3> repeatNames{{
+    {"hold", Repeat::hold},
+    {"loop", Repeat::loop},
+    {"pingpong", Repeat::pingpong},
 }};
 
 constexpr std::string_view nameOf(FitObjective objective) {

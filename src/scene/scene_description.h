@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "scene/fit_objective.h"
+#include "scene/motion_description.h"
 #include "visibility/visibility_kind.h"
 
 namespace haarlight {
@@ -40,7 +41,7 @@ struct TransformDescription {
 struct ObjectDescription {
   /// For messages and for choosing an object; by default the mesh's name without folder and suffix.
   std::string name;
-  /// Path of a mesh file, or a name of builtinMeshNames (mesh/builtin_meshes.h).
+  /// Path of a mesh or glTF file, or a name of builtinMeshNames (mesh/builtin_meshes.h).
   std::string mesh;
   TransformDescription transform;
   /// Diffuse reflectance, 0 to 1.
@@ -51,6 +52,10 @@ struct ObjectDescription {
   FitObjective objective = FitObjective::shadow;
   /// Whether the object blocks light.
   bool castsShadow = true;
+  /// How the mesh changes its shape; nothing: not at all, or as a glTF file's first animation says.
+  std::optional<DeformationDescription> deformation;
+  /// How the object moves after `transform`.
+  std::optional<MotionDescription> motion;
 };
 
 /// A horizontal rectangle (normal +y) that receives shadows on a grid of samples.
@@ -77,6 +82,7 @@ struct LightDescription {
   double rotateDegrees = 0;
   /// Factor on the radiance, >= 0.
   double scale = 1;
+  std::optional<LightMotionDescription> motion;
 };
 
 /// A pinhole camera.
@@ -89,6 +95,7 @@ struct CameraDescription {
   glm::dvec3 up{0, 1, 0};
   /// Angle between the lower and the upper edge of the image.
   double verticalFieldOfViewDegrees = 40;
+  std::optional<CameraMotionDescription> motion;
 };
 
 /// The image that is computed.
@@ -132,6 +139,7 @@ struct SceneDescription {
   CameraDescription camera;
   ImageDescription image;
   ShadingDescription shading;
+  AnimationDescription animation;
 };
 
 }  // namespace haarlight

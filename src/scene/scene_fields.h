@@ -5,18 +5,12 @@
 
 #include "light/builtin_lights.h"
 #include "mesh/builtin_meshes.h"
-#include "scene/json_value.h"
+#include "scene/field_ranges.h"
+#include "scene/motion_fields.h"
 #include "scene/names.h"
 #include "scene/scene_description.h"
 
 namespace haarlight {
-
-/// Within these bounds no product of three values leaves float32.
-inline constexpr Range coordinateRange{-1e6, 1e6};
-inline constexpr Range lengthRange{1e-6, 1e6};
-inline constexpr Range angleRange{-360, 360};
-inline constexpr Range unitRange{0, 1};
-inline constexpr Range radianceRange{0, 1e6};
 
 template <typename Fields>
 void visitFields(Fields& fields, TransformDescription& transform) {
@@ -37,6 +31,8 @@ void visitFields(Fields& fields, ObjectDescription& object) {
   fields.countOrFile("spheres", object.spheres, Range{1, 4096});
   fields.choice("objective", object.objective, fitObjectiveNames);
   fields.flag("castsShadow", object.castsShadow);
+  fields.object("deformation", object.deformation);
+  fields.object("motion", object.motion);
 }
 
 template <typename Fields>
@@ -53,6 +49,7 @@ void visitFields(Fields& fields, LightDescription& light) {
   fields.word("layout", light.layout, lightLayouts);
   fields.number("rotateDegrees", light.rotateDegrees, angleRange);
   fields.number("scale", light.scale, radianceRange);
+  fields.object("motion", light.motion);
 }
 
 template <typename Fields>
@@ -61,6 +58,7 @@ void visitFields(Fields& fields, CameraDescription& camera) {
   fields.vector("target", camera.target, coordinateRange);
   fields.vector("up", camera.up, coordinateRange);
   fields.number("verticalFieldOfViewDegrees", camera.verticalFieldOfViewDegrees, Range{1, 170});
+  fields.object("motion", camera.motion);
 }
 
 template <typename Fields>
@@ -91,6 +89,7 @@ void visitFields(Fields& fields, SceneDescription& scene) {
   fields.object("camera", scene.camera);
   fields.object("image", scene.image);
   fields.object("shading", scene.shading);
+  fields.object("animation", scene.animation);
 }
 
 }  // namespace haarlight

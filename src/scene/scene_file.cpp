@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/geometric.hpp>
+#include <cctype>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -11,33 +11,10 @@
 #include "scene/field_reader.h"
 #include "scene/field_writer.h"
 #include "scene/json_text.h"
+#include "scene/scene_checks.h"
 #include "scene/scene_fields.h"
 
 namespace haarlight {
-
-namespace {
-
-void checkCamera(const CameraDescription& camera, const JsonValue& scene) {
-  const glm::dvec3 sight = camera.target - camera.position;
-  const double smallestSine = 1e-6;
-  if (sight == glm::dvec3(0)) scene.fail("camera.target: must differ from camera.position");
-  if (glm::length(glm::cross(sight, camera.up)) <=
-      smallestSine * glm::length(sight) * glm::length(camera.up))
-    scene.fail("camera.up: must not be zero or parallel to the line from position to target");
-}
-
-/// What no field can be blamed for alone.
-void checkTogether(const SceneDescription& scene, const JsonValue& document) {
-  if (scene.objects.empty() && !scene.receiver)
-    document.fail("there is nothing to see; give objects or a receiver");
-  const long long pixelCount = 1ll * scene.image.width * scene.image.height;
-  if (pixelCount > maximumPixelCount)
-    document.fail(fmt::format("image: width x height must be <= {} pixels, is {}",
-                              maximumPixelCount, pixelCount));
-  checkCamera(scene.camera, document);
-}
-
-}  // namespace
 
 SceneDescription parseScene(std::string_view text, const std::filesystem::path& fileName) {
   const JsonSource source{fileName.string(), fileName.parent_path()};
@@ -67,6 +44,13 @@ std::string sceneToJson(const SceneDescription& scene) {
 std::string defaultObjectName(const std::string& mesh) {
   if (mesh.starts_with(builtinPrefix)) return mesh.substr(builtinPrefix.size());
   return std::filesystem::path(mesh).stem().string();
+}
+
+bool isGltfFile(const std::string& mesh) {
+  std::string extension = std::filesystem::path(mesh).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char letter) { return std::tolower(letter); });
+  return extension == ".gltf" || extension == ".glb";
 }
 
 std::string_view builtinSceneText(const std::string& name) {

@@ -28,6 +28,9 @@ std::string sceneToJson(const SceneDescription& scene);
 /// "meshes/torusknot.obj".
 std::string defaultObjectName(const std::string& mesh);
 
+/// Whether the extension of a mesh's path is .gltf or .glb, in capitals or not.
+bool isGltfFile(const std::string& mesh);
+
 /// The text of a scene of builtinScenes. Throws InputError for another name.
 std::string_view builtinSceneText(const std::string& name);
 

@@ -33,10 +33,9 @@ double lowestHeight(const glm::dmat4& matrix, std::span<const glm::vec3> positio
   return lowest;
 }
 
-}  // namespace
-
-glm::dmat4 objectToWorld(const TransformDescription& transform,
-                         std::span<const glm::vec3> positions, double groundHeight) {
+/// `fit`, `scale` and `rotateDegrees`.
+glm::dmat4 turningMatrix(const TransformDescription& transform,
+                         std::span<const glm::vec3> positions) {
   const glm::dvec3 angles = glm::radians(transform.rotateDegrees);
   glm::dmat4 matrix(1);
   matrix = glm::rotate(matrix, angles.z, {0, 0, 1});
@@ -44,11 +43,30 @@ glm::dmat4 objectToWorld(const TransformDescription& transform,
   matrix = glm::rotate(matrix, angles.x, {1, 0, 0});
   matrix = glm::scale(matrix, transform.scale);
   if (transform.fit) matrix = matrix * fitMatrix(*transform.fit, positions);
+  return matrix;
+}
 
+/// `rest` and `translate`, for points that went through `turning`.
+glm::dvec3 offsetOf(const TransformDescription& transform, const glm::dmat4& turning,
+                    std::span<const glm::vec3> positions, double groundHeight) {
   glm::dvec3 offset = transform.translate;
   if (transform.rest == Rest::Ground && !positions.empty())
-    offset.y += groundHeight - lowestHeight(matrix, positions);
-  return glm::translate(glm::dmat4(1), offset) * matrix;
+    offset.y += groundHeight - lowestHeight(turning, positions);
+  return offset;
+}
+
+}  // namespace
+
+glm::dmat4 objectToWorld(const TransformDescription& transform,
+                         std::span<const glm::vec3> positions, double groundHeight) {
+  const glm::dmat4 turning = turningMatrix(transform, positions);
+  return glm::translate(glm::dmat4(1), offsetOf(transform, turning, positions, groundHeight)) *
+         turning;
+}
+
+glm::dvec3 objectPivot(const TransformDescription& transform, std::span<const glm::vec3> positions,
+                       double groundHeight) {
+  return offsetOf(transform, turningMatrix(transform, positions), positions, groundHeight);
 }
 
 double groundHeight(const SceneDescription& scene) {

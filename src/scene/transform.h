@@ -14,6 +14,12 @@ namespace haarlight {
 glm::dmat4 objectToWorld(const TransformDescription& transform,
                          std::span<const glm::vec3> positions, double groundHeight);
 
+/// The point that the object's own rotation and motion leave where it is, in world coordinates: its
+/// origin, or with `fit` the middle of its bounding box, rested and translated. Parameters and
+/// errors as for objectToWorld.
+glm::dvec3 objectPivot(const TransformDescription& transform, std::span<const glm::vec3> positions,
+                       double groundHeight);
+
 /// The y of the plane that objects rest on: the receiver's, or 0 without one.
 double groundHeight(const SceneDescription& scene);
 

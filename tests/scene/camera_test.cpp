@@ -89,7 +89,7 @@ TEST_CASE("rays are unit vectors that meet the projection of their points") {
 }
 
 TEST_CASE("the built-in scenes show the object and the ground around it") {
-  for (const char* name : {"builtin:default", "builtin:smooth"}) {
+  for (const char* name : {"builtin:default", "builtin:smooth", "builtin:twist"}) {
     const SceneDescription scene = readScene(name);
     REQUIRE(scene.receiver);
     const double size = *scene.objects.at(0).transform.fit;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <regex>
 #include <stdexcept>
 
@@ -25,6 +26,13 @@ bool hasType(const Json& value, const std::string& type) {
 std::size_t characterCount(const Json& text) {
   const auto& bytes = text.get_ref<const std::string&>();
   return std::count_if(bytes.begin(), bytes.end(), [](char byte) { return (byte & 0xC0) != 0x80; });
+}
+
+/// Kept, as compiling takes longer than searching.
+const std::regex& compiled(const std::string& pattern) {
+  static std::map<std::string, std::regex> known;
+  const auto found = known.find(pattern);
+  return found != known.end() ? found->second : known.emplace(pattern, pattern).first->second;
 }
 
 }  // namespace
@@ -57,6 +65,7 @@ bool JsonSchema::allowsBy(const std::string& keyword, const Json& schema, const 
   const auto byItems = [&](const Json& item) { return allows(operand, item); };
   if (keyword == "$ref") return allows(referred(operand), value);
   if (keyword == "anyOf") return std::any_of(operand.begin(), operand.end(), byOperand);
+  if (keyword == "not") return !byOperand(operand);
   if (keyword == "type") return hasType(value, operand);
   if (keyword == "const") return value == operand;
   if (keyword == "enum") return std::count(operand.begin(), operand.end(), value) > 0;
@@ -66,8 +75,7 @@ bool JsonSchema::allowsBy(const std::string& keyword, const Json& schema, const 
   if (keyword == "minLength") return !value.is_string() || characterCount(value) >= operand;
   if (keyword == "maxLength") return !value.is_string() || characterCount(value) <= operand;
   if (keyword == "pattern")
-    return !value.is_string() ||
-           std::regex_search(value.get<std::string>(), std::regex(operand.get<std::string>()));
+    return !value.is_string() || std::regex_search(value.get<std::string>(), compiled(operand));
   if (keyword == "minItems") return !value.is_array() || value.size() >= operand;
   if (keyword == "maxItems") return !value.is_array() || value.size() <= operand;
   if (keyword == "items")

@@ -136,7 +136,7 @@ TEST_CASE("images of too many pixels are refused") {
 
 TEST_CASE("cameras that see nothing are refused") {
   CHECK(complaintBesideReceiver(R"("camera": {"position": [1, 2, 3], "target": [1, 2, 3]})") ==
-        "scene.json: camera.target: must differ from camera.position");
+        "scene.json: camera.target: must differ from the position");
   const std::string parallel =
       "scene.json: camera.up: must not be zero or parallel to the line from position to target";
   CHECK(complaintBesideReceiver(R"("camera": {"position": [0, 9, 0], "target": [0, 0, 0]})") ==
@@ -185,6 +185,13 @@ TEST_CASE("deep nesting is refused before it is built") {
   CHECK(complaint(objects) == expected);
 }
 
+TEST_CASE("the time to read a file grows no faster than the file") {
+  std::string objects = R"({"objects": [{})";
+  for (int i = 0; i < 1'000'000; ++i) objects += ",{}";
+  CHECK(complaint(objects + "]}") ==
+        "scene.json: objects: must be an array of at most 1024, is an array of 1000001");
+}
+
 TEST_CASE("every cut and every changed byte of a scene ends in a scene or one line") {
   const std::string whole(builtinSceneText("builtin:default"));
   for (std::size_t length = 0; length < whole.rfind('}'); ++length)
@@ -219,6 +226,7 @@ TEST_CASE("files that cannot be scenes are refused") {
   CHECK(failure(large) ==
         "cannot read scene " + large.string() + ": it is larger than 4194304 bytes");
   CHECK(failure("builtin:bunny") ==
-        "unknown scene 'builtin:bunny'; built in are builtin:default, builtin:smooth");
+        "unknown scene 'builtin:bunny'; built in are builtin:default, builtin:smooth, "
+        "builtin:twist");
   CHECK(failure("/dev/zero") == "cannot read scene /dev/zero: it is a device");
 }

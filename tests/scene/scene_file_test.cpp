@@ -172,7 +172,7 @@ TEST_CASE("whole numbers may be written with a fraction or an exponent") {
 
 TEST_CASE("the scenes in assets are the built-in ones") {
   const std::filesystem::path assets = std::filesystem::path(HAARLIGHT_SOURCE_FOLDER) / "assets";
-  for (const std::string name : {"default", "smooth"}) {
+  for (const std::string name : {"default", "smooth", "twist"}) {
     CHECK(readFile(assets / (name + ".json")) == builtinSceneText("builtin:" + name));
     CHECK(sceneToJson(readScene(assets / (name + ".json"))) ==
           sceneToJson(readScene("builtin:" + name)));
@@ -196,7 +196,8 @@ TEST_CASE("the examples in docs/scene.md are scenes, the first is the default on
     at += opening.size();
     examples.push_back(page.substr(at, page.find("```", at) - at));
   }
-  REQUIRE(examples.size() == 2);
+  REQUIRE(examples.size() == 3);
   CHECK(examples[0] == readFile(source / "assets/default.json"));
   CHECK(parseScene(examples[1], "x.json").objects.size() == 2);
+  CHECK(parseScene(examples[2], "x.json").objects.size() == 2);
 }

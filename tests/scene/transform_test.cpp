@@ -62,6 +62,21 @@ TEST_CASE("rest puts the lowest point on the ground, after rotation and before t
   checkPoint(objectToWorld(transform, box, -1), {1, 2, 0}, {-2, -0.5, 7});
 }
 
+TEST_CASE("the pivot is where the origin is placed, with fit the middle of the box") {
+  TransformDescription transform;
+  transform.scale = {2, 3, 4};
+  transform.rotateDegrees = {30, -50, 70};
+  transform.translate = {1, 2, 3};
+  CHECK(objectPivot(transform, box, 0) == glm::dvec3(1, 2, 3));
+  checkPoint(objectToWorld(transform, box, 0), {0, 0, 0}, objectPivot(transform, box, 0));
+  transform.fit = 2;
+  transform.rest = Rest::Ground;
+  checkPoint(objectToWorld(transform, box, 7), {3, 3, 0.5}, objectPivot(transform, box, 7));
+  transform = {};
+  transform.rest = Rest::Ground;  // the box starts at y = 2
+  CHECK(objectPivot(transform, box, 7) == glm::dvec3(0, 5, 0));
+}
+
 TEST_CASE("the ground is the receiver's plane") {
   SceneDescription scene;
   CHECK(groundHeight(scene) == 0);

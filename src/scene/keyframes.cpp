@@ -1,0 +1,104 @@
+#include "scene/keyframes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
+#include "base/error.h"
+#include "scene/camera.h"
+
+namespace haarlight {
+
+namespace {
+
+/// Divided by the largest component first, so that no square leaves the range of numbers.
+glm::dquat unitQuaternion(const glm::dvec4& xyzw) {
+  const glm::dvec4 size = glm::abs(xyzw);
+  const glm::dvec4 scaled = xyzw / std::max({size.x, size.y, size.z, size.w});
+  return glm::normalize(glm::dquat(scaled.w, scaled.x, scaled.y, scaled.z));
+}
+
+glm::dquat rotationAt(const MotionKey& from, const MotionKey& to, double fraction) {
+  const glm::dquat start = unitQuaternion(from.rotation);
+  if (fraction == 0) return start;
+  return glm::normalize(glm::slerp(start, unitQuaternion(to.rotation), fraction));
+}
+
+LightSource sourceAt(const LightDescription& light, const LightKey& key) {
+  return key.source ? LightSource{*key.source, key.layout}
+                    : LightSource{light.source, light.layout};
+}
+
+}  // namespace
+
+double frameSeconds(const AnimationDescription& animation, int frame) {
+  return frame / animation.framesPerSecond;
+}
+
+double repeatedSeconds(double first, double last, Repeat repeat, double seconds) {
+  // The first time through takes seconds as they are, so that keys are met exactly.
+  const bool firstTime = repeat == Repeat::loop ? seconds < last : seconds <= last;
+  if (firstTime || repeat == Repeat::hold) return std::clamp(seconds, first, last);
+  const Playback playback{first, 1, repeat};
+  return std::min(first + motionSeconds(playback, last - first, seconds), last);
+}
+
+double easedFraction(Ease ease, double passed) {
+  if (ease == Ease::hold) return 0;
+  return ease == Ease::smooth ? passed * passed * (3 - 2 * passed) : passed;
+}
+
+double degreesAt(const std::vector<AngleKey>& keys, const Playback& playback, double sceneSeconds) {
+  const double seconds = (sceneSeconds - playback.startSeconds) * playback.speed;
+  const KeyPlace place = keyPlace(keys, playback.repeat, seconds);
+  return place.between(keys[place.from].degrees, keys[place.to].degrees);
+}
+
+glm::dmat4 motionMatrix(const MotionDescription& motion, const glm::dvec3& pivot, double seconds) {
+  const KeyPlace place = keyPlace(motion.keys, motion.repeat, seconds);
+  const MotionKey& from = motion.keys[place.from];
+  const MotionKey& to = motion.keys[place.to];
+  const glm::dmat3 turning =
+      place.between(from.scale, to.scale) * glm::mat3_cast(rotationAt(from, to, place.fraction));
+  glm::dmat4 matrix(turning);
+  matrix[3] =
+      glm::dvec4(place.between(from.translate, to.translate) + (pivot - turning * pivot), 1);
+  return matrix;
+}
+
+LightState lightAt(const LightDescription& light, double seconds) {
+  const LightSource own{light.source, light.layout};
+  if (!light.motion) return {own, own, 0, light.rotateDegrees, light.scale};
+  const std::vector<LightKey>& keys = light.motion->keys;
+  const KeyPlace place = keyPlace(keys, light.motion->repeat, seconds);
+  const LightKey& from = keys[place.from];
+  const LightKey& to = keys[place.to];
+  return {sourceAt(light, from), sourceAt(light, to), place.fraction,
+          light.rotateDegrees + place.between(from.rotateDegrees, to.rotateDegrees),
+          light.scale * place.between(from.scale, to.scale)};
+}
+
+CameraDescription cameraAtKey(const CameraDescription& camera, const CameraKey& key) {
+  CameraDescription result = camera;
+  result.motion.reset();
+  result.position = key.position.value_or(camera.position);
+  result.target = key.target.value_or(camera.target);
+  return result;
+}
+
+CameraDescription cameraAt(const CameraDescription& camera, double seconds) {
+  if (!camera.motion) return camera;
+  const std::vector<CameraKey>& keys = camera.motion->keys;
+  const KeyPlace place = keyPlace(keys, camera.motion->repeat, seconds);
+  CameraDescription result = cameraAtKey(camera, keys[place.from]);
+  const CameraDescription to = cameraAtKey(camera, keys[place.to]);
+  result.position = place.between(result.position, to.position);
+  result.target = place.between(result.target, to.target);
+  if (const auto wrong = sightProblem(result))
+    throw InputError(
+        fmt::format("camera at second {}: {} {}", seconds, wrong->field, wrong->problem));
+  return result;
+}
+
+}  // namespace haarlight
