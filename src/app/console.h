@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "render/scene.h"
+#include "render/progress.h"
 
 namespace haarlight {
 

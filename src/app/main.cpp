@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   haarlight::addBakeCommand(app);
   haarlight::addFitCommand(app);
   haarlight::addInfoCommand(app);
+  haarlight::addTrackCommand(app);
   haarlight::addDevicesCommand(app);
   haarlight::addVerifyCommand(app);
   try {

@@ -94,7 +94,9 @@ CLI::Option* addSeedOption(CLI::App& command, std::uint64_t& seed, const std::st
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
   const CLI::Validator notEmpty(
       [](const std::string& value) { return value.empty() ? "takes no empty text" : ""; }, "");
-  command.add_option("SCENE", options.scene, "Scene file, builtin:default or builtin:smooth")
+  command
+      .add_option("SCENE", options.scene,
+                  "Scene file, builtin:default, builtin:smooth or builtin:twist")
       ->check(notEmpty);
   const auto text = [&](const char* name, std::string& value, const char* help, const char* group) {
     return command.add_option(name, value, help)->group(group)->check(notEmpty);

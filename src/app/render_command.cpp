@@ -6,9 +6,12 @@
 
 #include "app/commands.h"
 #include "app/frame_rate.h"
+#include "app/picture_file.h"
+#include "app/render_frames.h"
 #include "app/shading_setup.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/peak_memory.h"
 #include "image/contact_sheet.h"
 #include "image/tonemap.h"
 #include "render/render_image.h"
@@ -28,6 +31,9 @@ struct RenderOptions {
   std::vector<std::string> compareTo;
   std::string sheet;
   bool frameRate = false;
+  std::string frames;
+  std::optional<double> framesPerSecond;
+  bool resume = false;
 };
 
 void applyExposure(const std::string& text, ImageDescription& image) {
@@ -54,20 +60,21 @@ SceneDescription describe(const RenderOptions& options) {
   }
   if (options.samples) scene.image.samplesPerPixel = *options.samples;
   applyExposure(options.exposure, scene.image);
+  if (options.framesPerSecond) scene.animation.framesPerSecond = *options.framesPerSecond;
   return scene;
+}
+
+bool wantsFrames(const RenderOptions& options) {
+  return !options.frames.empty() || options.resume || options.framesPerSecond ||
+         std::ranges::any_of(options.outputs, namesFrames);
 }
 
 /// Writes the picture to every target and returns the exposure of the PNGs.
 float writeOutputs(const RenderOptions& options, const RenderedImage& picture,
                    const ImageDescription& image, const ImageAttributes& attributes) {
   const float stops = image.exposure ? float(*image.exposure) : automaticExposure(picture.radiance);
-  for (const std::string& output : options.outputs) {
-    if (std::filesystem::path(output).extension() == ".exr")
-      writeExr(output, {{"", picture.radiance}, {"albedo", picture.albedo}, {"N", picture.normal}},
-               attributes);
-    else
-      writePng(output, tonemap(picture.radiance, stops));
-  }
+  for (const std::string& output : options.outputs)
+    writePicture(output, picture, stops, attributes);
   return stops;
 }
 
@@ -131,9 +138,25 @@ void addComparisons(const RenderedImage& picture, const std::vector<Comparison>&
   }
 }
 
-void render(const RenderOptions& options) {
-  Console console(options.general.json, options.general.quiet);
-  setThreadCount(options.general.threads);
+void renderAnimation(const RenderOptions& options, Console& console) {
+  if (!options.compareTo.empty() || !options.sheet.empty() || options.frameRate)
+    throw InputError("--compare-to, --sheet and --frame-rate are for one picture, not for frames");
+  SceneDescription scene = describe(options);
+  FrameSettings settings;
+  settings.range = options.frames.empty()
+                       ? FrameRange{scene.animation.firstFrame, scene.animation.lastFrame}
+                       : parseFrameRange(options.frames);
+  settings.resume = options.resume;
+  settings.listFrames = options.general.json;
+  checkFrameTargets(options.outputs, settings.range, scene.animation.framesPerSecond,
+                    settings.resume);
+  ShadingSetup setup(options.scene, std::move(scene), console);
+  if (!setup.moves() && settings.range.count() > 1)
+    console.warning("nothing in this scene moves: all frames are alike");
+  console.results(renderFrames(setup, options.outputs, settings));
+}
+
+void renderStill(const RenderOptions& options, Console& console) {
   for (const std::string& output : options.outputs) checkTarget(output, {".png", ".exr"});
   if (!options.sheet.empty()) checkTarget(options.sheet, {".png"});
   if (!options.sheet.empty() && options.compareTo.empty())
@@ -159,6 +182,7 @@ void render(const RenderOptions& options) {
   results["samples_shaded"] = picture.surfaceSamples;
   results["seconds"] = seconds;
   results["shading_seconds"] = describeStages(method->times());
+  results["peak_memory_mib"] = peakMemoryMebibytes();
   if (options.frameRate) results["plane_frame"] = planeFrameRate(setup);
   const auto comparisons = renderComparisons(setup, sampler, options.compareTo);
   addComparisons(picture, comparisons, results);
@@ -167,6 +191,15 @@ void render(const RenderOptions& options) {
     results["sheet"] = options.sheet;
   }
   console.results(results);
+}
+
+void render(const RenderOptions& options) {
+  Console console(options.general.json, options.general.quiet);
+  setThreadCount(options.general.threads);
+  if (wantsFrames(options))
+    renderAnimation(options, console);
+  else
+    renderStill(options, console);
 }
 
 }  // namespace
@@ -178,11 +211,15 @@ void addRenderCommand(CLI::App& app) {
       "Examples:\n"
       "  haarlight render -o picture.png\n"
       "  haarlight render --mesh bunny.obj --light grace.hdr --spheres 64 -o bunny.png\n"
-      "  haarlight render scene.json --method pixel-mesh -o reference.exr");
+      "  haarlight render scene.json --method pixel-mesh -o reference.exr\n"
+      "  haarlight render builtin:twist --size 480x270 -o twist.mp4\n"
+      "  haarlight render scene.json --frames 0:95 --resume -o frame_%04d.png");
   addSceneOptions(*command, options->scene);
   command
-      ->add_option("-o,--output", options->outputs,
-                   "Picture to write: .png (sRGB) or .exr (linear float32); may be repeated")
+      ->add_option(
+          "-o,--output", options->outputs,
+          "Picture to write: .png (sRGB) or .exr (linear float32); frames: frame_%04d.png, or "
+          "clip.mp4, .webm or .gif by ffmpeg; may be repeated")
       ->allow_extra_args(false)
       ->required()
       ->group("Output");
@@ -196,6 +233,17 @@ void addRenderCommand(CLI::App& app) {
       ->add_flag("--frame-rate", options->frameRate,
                  "Also measure frames per second of the receiver plane's samples")
       ->group("Computation");
+  command
+      ->add_option("--frames", options->frames,
+                   "Frames first:last to render [those of the scene's animation]")
+      ->group("Animation");
+  command
+      ->add_option("--fps", options->framesPerSecond,
+                   "Frames per second: frame f shows second f / fps [the scene's]")
+      ->check(CLI::Range(1e-3, 1e4))
+      ->group("Animation");
+  command->add_flag("--resume", options->resume, "Skip frames whose pictures are complete")
+      ->group("Animation");
   addCompareOption(*command, options->compareTo);
   command
       ->add_option("--sheet", options->sheet,

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "render/scene.h"
+#include "render/progress.h"
 #include "verify/cases/case.h"
 
 namespace haarlight {

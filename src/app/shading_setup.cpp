@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/version.h"
+#include "base/stopwatch.h"
 #include "scene/names.h"
 
 namespace haarlight {
@@ -22,25 +23,41 @@ ShadingSetup::ShadingSetup(const SceneOptions& options, SceneDescription descrip
     : options_(options),
       description_(std::move(description)),
       console_(console),
-      scene_(loadScene(description_, console.progress())) {
-  for (const std::string& warning : scene_.warnings) console.warning(warning);
-  const LightProjection& projection = scene_.light.projection;
+      moving_(description_, console.progress()) {
+  for (const std::string& warning : scene().warnings) console.warning(warning);
+  const LightProjection& projection = scene().light.projection;
   console.message(fmt::format("light: {}; {:.3f} % of its power is on the cube",
-                              scene_.light.environment->description(),
+                              scene().light.environment->description(),
                               100 * projection.powerRatio));
 }
 
 std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
                                                      std::span<const SurfaceSample> typicalSamples,
                                                      bool anyNormal) {
-  if (which == ShadingMethod::PixelMesh) return makePixelMeshMethod(scene_);
+  if (which == ShadingMethod::PixelMesh) return makePixelMeshMethod(scene());
   if (!table_) table_ = openSphereTable(description_, console_);
-  if (which == ShadingMethod::Pixel) return makePixelMethod(scene_, table_);
-  if (!engine_) engine_ = openEngine(options_, description_, table_, console_);
+  if (which == ShadingMethod::Pixel) return makePixelMethod(scene(), table_);
+  if (!engine_) {
+    engine_ = openEngine(options_, description_, table_, console_);
+    engine_->setSphereBinding(moving_.binding());
+  }
   ShadingSettings settings;
   settings.terms = description_.shading.terms;
   settings.levels = description_.shading.levels;
-  return makeHaarMethod(scene_, engine_, settings, typicalSamples, anyNormal);
+  return makeHaarMethod(scene(), engine_, settings, typicalSamples, anyNormal);
+}
+
+ShowTimes ShadingSetup::show(double seconds, RadianceMethod& method) {
+  ShowTimes times;
+  Stopwatch watch;
+  moving_.showMeshes(seconds);
+  times.meshes = watch.lap();
+  moving_.showSpheres(engine_ ? engine_->moveSpheres(moving_.boundVertices())
+                              : moveSpheres(moving_.binding(), moving_.boundVertices()));
+  times.spheres = watch.lap();
+  method.sceneChanged(moving_.showLight(seconds));
+  times.light = watch.lap();
+  return times;
 }
 
 nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const {
@@ -51,9 +68,9 @@ nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const
   }
   if (method.name() != "pixel-mesh")
     summary["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
-  summary["spheres"] = sphereCount(scene_);
+  summary["spheres"] = sphereCount(scene());
   summary["light"] = description_.light.source;
-  summary["light_power_kept"] = scene_.light.projection.powerRatio;
+  summary["light_power_kept"] = scene().light.projection.powerRatio;
   return summary;
 }
 
@@ -61,7 +78,7 @@ ImageAttributes ShadingSetup::attributes(const RadianceMethod& method) const {
   ImageAttributes attributes{{"software", std::string("haarlight " HAARLIGHT_VERSION)},
                              {"method", method.name()},
                              {"device", method.deviceName()},
-                             {"spheres", int(sphereCount(scene_))},
+                             {"spheres", int(sphereCount(scene()))},
                              {"light", description_.light.source}};
   if (method.name() != "pixel-mesh")
     attributes["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);

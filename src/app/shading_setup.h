@@ -6,9 +6,17 @@
 #include "app/options.h"
 #include "image/compare.h"
 #include "image/write_image.h"
+#include "render/moving_scene.h"
 #include "render/radiance_method.h"
 
 namespace haarlight {
+
+/// Seconds that bringing a scene to another time took.
+struct ShowTimes {
+  double meshes = 0;   ///< vertices, normals
+  double spheres = 0;  ///< moved with them, by the engine where there is one
+  double light = 0;    ///< projection and tables; next to nothing while the light stays
+};
 
 /// A scene on the way to pictures: what render and bake have in common.
 class ShadingSetup {
@@ -16,13 +24,18 @@ class ShadingSetup {
   ShadingSetup(const SceneOptions& options, SceneDescription description, Console& console);
 
   const SceneDescription& description() const { return description_; }
-  const Scene& scene() const { return scene_; }
+  const Scene& scene() const { return moving_.scene(); }
+  /// Whether anything changes over time.
+  bool moves() const { return moving_.moves(); }
   Console& console() { return console_; }
 
   /// The scene's method, or another; the engine is opened when the method needs it.
   std::unique_ptr<RadianceMethod> method(ShadingMethod which,
                                          std::span<const SurfaceSample> typicalSamples,
                                          bool anyNormal);
+
+  /// Brings the scene to a second (it starts at 0) and tells a method made by method() so.
+  ShowTimes show(double seconds, RadianceMethod& method);
 
   /// What every result says about how it was made.
   nlohmann::ordered_json summary(const RadianceMethod& method) const;
@@ -34,7 +47,7 @@ class ShadingSetup {
   const SceneOptions& options_;
   SceneDescription description_;
   Console& console_;
-  Scene scene_;
+  MovingScene moving_;
   std::shared_ptr<const SphereTable> table_;
   std::shared_ptr<Engine> engine_;
 };

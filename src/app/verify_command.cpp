@@ -132,9 +132,10 @@ void addVerifyCommand(CLI::App& app) {
       ->allow_extra_args(false)
       ->group("Computation");
   command
-      ->add_option("--inject", options->inject,
-                   "Put faults into an engine's results, to see them found: bit, coefficient, ulp "
-                   "or order, and the engine")
+      ->add_option(
+          "--inject", options->inject,
+          "Put faults into an engine's results, to see them found: sphere, bit, coefficient, ulp "
+          "or order, and the engine")
       ->expected(2)
       ->type_name("FAULT ENGINE")
       ->group("Computation");

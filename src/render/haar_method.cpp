@@ -22,13 +22,24 @@ std::vector<double> lobeImportance(std::span<const SurfaceSample> samples, bool 
 
 class HaarMethod final : public RadianceMethod {
  public:
-  HaarMethod(const Scene& scene, std::shared_ptr<Engine> engine, const ShadingTables& tables)
-      : engine_(std::move(engine)), spheres_(scene.blockerSpheres()) {
-    engine_->setShading(tables);
+  HaarMethod(const Scene& scene, std::shared_ptr<Engine> engine, const ShadingSettings& settings,
+             std::vector<double> lobeImportance)
+      : scene_(scene),
+        engine_(std::move(engine)),
+        settings_(settings),
+        lobeImportance_(std::move(lobeImportance)) {
+    sceneChanged(true);
   }
 
   std::string name() const override { return "haar"; }
   std::string deviceName() const override { return engine_->name() + ": " + engine_->deviceName(); }
+
+  void sceneChanged(bool lightToo) override {
+    spheres_ = scene_.blockerSpheres();
+    if (lightToo)
+      engine_->setShading(
+          buildShadingTables(scene_.light.projection.cube, settings_, lobeImportance_));
+  }
 
   std::vector<glm::vec3> radiance(std::span<const SurfaceSample> samples) override {
     const auto white = engine_->shade(spheres_, receiversOf(samples), &times_);
@@ -40,7 +51,10 @@ class HaarMethod final : public RadianceMethod {
   }
 
  private:
+  const Scene& scene_;
   std::shared_ptr<Engine> engine_;
+  ShadingSettings settings_;
+  std::vector<double> lobeImportance_;
   std::vector<Sphere> spheres_;
 };
 
@@ -50,10 +64,8 @@ std::unique_ptr<RadianceMethod> makeHaarMethod(const Scene& scene, std::shared_p
                                                const ShadingSettings& settings,
                                                std::span<const SurfaceSample> typicalSamples,
                                                bool anyNormal) {
-  const auto importance = lobeImportance(typicalSamples, anyNormal);
-  const ShadingTables tables =
-      buildShadingTables(scene.light.projection.cube, settings, importance);
-  return std::make_unique<HaarMethod>(scene, std::move(engine), tables);
+  return std::make_unique<HaarMethod>(scene, std::move(engine), settings,
+                                      lobeImportance(typicalSamples, anyNormal));
 }
 
 }  // namespace haarlight

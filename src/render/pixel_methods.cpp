@@ -5,6 +5,7 @@
 #include <chrono>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "base/parallel.h"
 #include "mesh/mesh_measures.h"
@@ -19,7 +20,7 @@ namespace {
 /// Sums over the cube's texels; how a texel is found to be blocked is left to the methods.
 class TexelSumMethod : public RadianceMethod {
  public:
-  explicit TexelSumMethod(const Scene& scene) : light_(scene.light.projection.cube) {}
+  explicit TexelSumMethod(const Scene& scene) : scene_(scene) {}
 
   std::string deviceName() const override {
     return fmt::format("host, {} thread{}", threadCount(), threadCount() == 1 ? "" : "s");
@@ -40,26 +41,30 @@ class TexelSumMethod : public RadianceMethod {
   virtual BitCube blockedTexels(const SurfaceSample& sample,
                                 const std::vector<double>& lobe) const = 0;
 
+  const Scene& scene_;
+
  private:
   glm::vec3 radianceOf(const SurfaceSample& sample) const {
     const auto lobe = cosineLobe(glm::dvec3(sample.normal));
     const BitCube blocked = blockedTexels(sample, lobe);
+    const RadianceCube& light = scene_.light.projection.cube;
     glm::dvec3 sum(0);
     for (int texel = 0; texel < texelCount; ++texel)
       if (lobe[texel] > 0 && !blocked.blocked(texel))
-        sum += lobe[texel] * glm::dvec3(light_[texel]);
+        sum += lobe[texel] * glm::dvec3(light[texel]);
     return sample.albedo * glm::vec3(sum / double(texelsPerFace));
   }
-
-  RadianceCube light_;
 };
 
 class PixelMethod final : public TexelSumMethod {
  public:
   PixelMethod(const Scene& scene, std::shared_ptr<const SphereTable> table)
-      : TexelSumMethod(scene), table_(std::move(table)), spheres_(scene.blockerSpheres()) {}
+      : TexelSumMethod(scene), table_(std::move(table)) {
+    sceneChanged(true);
+  }
 
   std::string name() const override { return "pixel"; }
+  void sceneChanged(bool) override { spheres_ = scene_.blockerSpheres(); }
 
  private:
   BitCube blockedTexels(const SurfaceSample& sample, const std::vector<double>&) const override {
@@ -92,15 +97,18 @@ float rayOffset(const std::vector<const TriangleMesh*>& meshes) {
 
 class PixelMeshMethod final : public TexelSumMethod {
  public:
-  explicit PixelMeshMethod(const Scene& scene)
-      : TexelSumMethod(scene),
-        rays_(blockerMeshes(scene)),
-        offset_(rayOffset(blockerMeshes(scene))) {
+  explicit PixelMeshMethod(const Scene& scene) : TexelSumMethod(scene) {
+    sceneChanged(true);
     for (int texel = 0; texel < texelCount; ++texel)
       directions_[texel] = glm::vec3(texelDirection(texel));
   }
 
   std::string name() const override { return "pixel-mesh"; }
+  void sceneChanged(bool) override {
+    const auto meshes = blockerMeshes(scene_);
+    rays_.emplace(meshes);
+    offset_ = rayOffset(meshes);
+  }
 
  private:
   BitCube blockedTexels(const SurfaceSample& sample,
@@ -115,14 +123,14 @@ class PixelMeshMethod final : public TexelSumMethod {
         wanted |= std::uint16_t(lobe[first + i] > 0) << i;
       }
       if (!wanted) continue;
-      const std::uint32_t hit = rays_.occluded16(origins, directions, wanted);
+      const std::uint32_t hit = rays_->occluded16(origins, directions, wanted);
       blocked.rows[first / faceSize] |= hit << (first % faceSize);
     }
     return blocked;
   }
 
-  RayScene rays_;
-  float offset_;
+  std::optional<RayScene> rays_;
+  float offset_ = 0;
   std::array<glm::vec3, texelCount> directions_;
 };
 

@@ -21,6 +21,10 @@ class RadianceMethod {
   /// What computes it, in words.
   virtual std::string deviceName() const = 0;
 
+  /// To be called when the scene that the method was made for has changed: its meshes and spheres,
+  /// and its light only where `lightToo` says so.
+  virtual void sceneChanged(bool lightToo) = 0;
+
   /// Radiance (albedo included) of every sample.
   virtual std::vector<glm::vec3> radiance(std::span<const SurfaceSample> samples) = 0;
 
@@ -30,6 +34,8 @@ class RadianceMethod {
  protected:
   StageTimes times_;
 };
+
+/// Methods keep a reference to the scene.
 
 /// The paper's method on an engine. Light terms are ranked for the normals of `typicalSamples`;
 /// where `anyNormal` is set other normals may follow, else only those.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "render/progress.h"
 #include "render/radiance_method.h"
 #include "scene/camera.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,9 +11,6 @@
 #include "spheres/sphere_set.h"
 
 namespace haarlight {
-
-/// Called with what is being done and how much of it is finished, 0 … 1.
-using Progress = std::function<void(const std::string& task, double finished)>;
 
 /// An object as it stands in the world.
 struct SceneObject {
@@ -29,7 +25,7 @@ struct SceneObject {
 };
 
 struct SceneLight {
-  std::unique_ptr<const Environment> environment;
+  std::shared_ptr<const Environment> environment;
   glm::mat3 rotation;
   float scale;
   /// Of the light as rotated and scaled.
@@ -39,7 +35,8 @@ struct SceneLight {
   glm::vec3 radiance(const glm::vec3& direction) const;
 };
 
-/// A scene file with everything loaded: what engines and methods work on.
+/// A scene at one moment, with everything loaded: what engines and methods work on. See
+/// render/moving_scene.h.
 struct Scene {
   std::vector<SceneObject> objects;
   std::optional<ReceiverDescription> receiver;
@@ -50,9 +47,5 @@ struct Scene {
   /// All objects' spheres, in the order of the objects.
   std::vector<Sphere> blockerSpheres() const;
 };
-
-/// Loads meshes and light, fits or reads the spheres, and moves all into the world. A fitted set is
-/// kept in the cache folder and found again by the mesh's hash. Throws InputError.
-Scene loadScene(const SceneDescription& description, const Progress& progress = {});
 
 }  // namespace haarlight

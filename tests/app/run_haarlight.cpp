@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include "test_support.h"
 
@@ -57,6 +58,18 @@ void limitFileSize(std::uint64_t bytes) {
   std::signal(SIGXFSZ, SIG_IGN);  // so that writing reports an error instead
 }
 
+/// Sends SIGINT once the file is there, or not at all when the process ends before.
+void interruptWhenThere(pid_t child, const std::filesystem::path& file) {
+  siginfo_t ended{};
+  while (!std::filesystem::exists(file)) {
+    const timespec pause{0, 1000000};
+    nanosleep(&pause, nullptr);
+    if (waitid(P_PID, id_t(child), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid)
+      return;
+  }
+  kill(child, SIGINT);
+}
+
 [[noreturn]] void replaceProcess(const Arguments& arguments) {
   std::string program = HAARLIGHT_PROGRAM;
   std::vector<char*> pointers{program.data()};
@@ -86,6 +99,8 @@ Outcome runHaarlight(const Arguments& arguments, const Surroundings& surrounding
     if (surroundings.fileSizeLimit) limitFileSize(*surroundings.fileSizeLimit);
     replaceProcess(arguments);
   }
+  if (child > 0 && !surroundings.interruptAfter.empty())
+    interruptWhenThere(child, surroundings.interruptAfter);
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) != child)
     throw std::runtime_error("cannot start " HAARLIGHT_PROGRAM);

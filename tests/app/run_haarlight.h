@@ -26,6 +26,8 @@ struct Surroundings {
   std::filesystem::path standardOutput;            ///< where output goes instead of the outcome
   bool terminal = false;                           ///< standard error is a terminal
   std::optional<std::uint64_t> fileSizeLimit;      ///< writing fails beyond this many bytes
+  /// Ctrl-C (SIGINT) is sent once this file is there.
+  std::filesystem::path interruptAfter;
 };
 
 Outcome runHaarlight(const Arguments& arguments, const Surroundings& surroundings = {});

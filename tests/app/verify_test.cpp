@@ -12,9 +12,9 @@ namespace {
 const Arguments small{"verify", "--cases", "3", "--without-scenes"};
 const Arguments smallOnHost = joined(small, {"--engine", "cuda-host"});
 
-const std::vector<std::string> stages{"table_entries", "bit_cubes", "haar_coefficients",
-                                      "triple_product", "frame"};
-const std::vector<std::string> faults{"bit", "coefficient", "ulp", "order"};
+const std::vector<std::string> stages{"moved_spheres",     "table_entries",  "bit_cubes",
+                                      "haar_coefficients", "triple_product", "frame"};
+const std::vector<std::string> faults{"sphere", "bit", "coefficient", "ulp", "order"};
 
 /// The report of a run with --json that ends with this exit code.
 Document reportOf(const Arguments& arguments, int exitCode) {
@@ -141,7 +141,8 @@ TEST_CASE("JUnit and HTML reports are written, and need nothing from outside") {
 }
 
 TEST_CASE("faults put into any engine's results are all found where they are") {
-  const std::map<std::string, std::string> stageOfFault{{"bit", "bit_cubes"},
+  const std::map<std::string, std::string> stageOfFault{{"sphere", "moved_spheres"},
+                                                        {"bit", "bit_cubes"},
                                                         {"coefficient", "haar_coefficients"},
                                                         {"ulp", "triple_product"},
                                                         {"order", "triple_product"}};

@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "image/compare.h"
+#include "render/moving_scene.h"
 #include "render/radiance_method.h"
 #include "test_support.h"
 

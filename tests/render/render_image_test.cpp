@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "render/moving_scene.h"
+
 using namespace haarlight;
 
 namespace {
@@ -10,6 +12,7 @@ namespace {
 class PositionMethod final : public RadianceMethod {
  public:
   std::string name() const override { return "position"; }
+  void sceneChanged(bool) override {}
   std::string deviceName() const override { return "test"; }
   std::vector<glm::vec3> radiance(std::span<const SurfaceSample> samples) override {
     std::vector<glm::vec3> positions;

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "mesh/builtin_meshes.h"
 #include "mesh/mesh_measures.h"
+#include "render/moving_scene.h"
 #include "scene/scene_file.h"
 #include "spheres/sphere_set.h"
 #include "test_support.h"

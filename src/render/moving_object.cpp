@@ -1,0 +1,74 @@
+#include "render/moving_object.h"
+
+#include <utility>
+
+#include "mesh/mesh_file.h"
+#include "mesh/mesh_transform.h"
+#include "motion/gltf_mesh.h"
+#include "motion/mesh_sequence.h"
+#include "motion/point_cache.h"
+#include "scene/keyframes.h"
+#include "scene/scene_file.h"
+#include "scene/transform.h"
+
+namespace haarlight {
+
+namespace {
+
+AngleOverTime angleOverTime(const std::vector<AngleKey>& keys, const Playback& playback) {
+  return [keys, playback](double seconds) { return degreesAt(keys, playback, seconds); };
+}
+
+/// The mesh of an object's file, and the motion of its vertices that the object asks for.
+AnimatedMesh loadAnimatedMesh(const ObjectDescription& description, double framesPerSecond) {
+  const DeformationDescription deformation =
+      description.deformation.value_or(DeformationDescription{});
+  const double rate = deformation.framesPerSecond.value_or(framesPerSecond);
+  const bool hasOtherSource = deformation.pointCache || deformation.sequence;
+  AnimatedMesh animated =
+      isGltfFile(description.mesh)
+          ? loadGltf(description.mesh, deformation.animation.value_or(hasOtherSource ? "none" : ""))
+          : AnimatedMesh{loadMeshOrBuiltin(description.mesh), nullptr};
+  if (deformation.pointCache)
+    animated.motion = openPointCache(*deformation.pointCache, animated.mesh, rate);
+  if (deformation.sequence)
+    animated.motion = openMeshSequence(*deformation.sequence, animated.mesh, rate);
+  return animated;
+}
+
+DeformingMesh deformingMesh(const ObjectDescription& description, double framesPerSecond,
+                            std::vector<std::string>& warnings) {
+  AnimatedMesh animated = loadAnimatedMesh(description, framesPerSecond);
+  for (const std::string& warning : animated.mesh.warnings)
+    warnings.push_back(description.mesh + ": " + warning);
+  MeshDeformation deformation{std::move(animated.motion), {}, {}, {}};
+  if (description.deformation) {
+    const DeformationDescription& wanted = *description.deformation;
+    deformation.playback = wanted.playback;
+    if (wanted.twist)
+      deformation.twist = {wanted.twist->axis, angleOverTime(wanted.twist->keys, wanted.playback)};
+    if (wanted.bend)
+      deformation.bend = {wanted.bend->axis, bendDirection(*wanted.bend),
+                          angleOverTime(wanted.bend->keys, wanted.playback)};
+  }
+  return DeformingMesh(std::move(animated.mesh.mesh), std::move(deformation));
+}
+
+}  // namespace
+
+MovingObject::MovingObject(const ObjectDescription& description, const SceneDescription& scene,
+                           std::vector<std::string>& warnings)
+    : mesh_(deformingMesh(description, scene.animation.framesPerSecond, warnings)),
+      toWorld_(objectToWorld(description.transform, mesh_.rest().positions, groundHeight(scene))),
+      pivot_(objectPivot(description.transform, mesh_.rest().positions, groundHeight(scene))),
+      motion_(description.motion) {}
+
+glm::mat4 MovingObject::toWorld(double seconds) const {
+  return glm::mat4(motion_ ? motionMatrix(*motion_, pivot_, seconds) * toWorld_ : toWorld_);
+}
+
+TriangleMesh MovingObject::worldMesh(double seconds) {
+  return transformed(localMesh(seconds), toWorld(seconds));
+}
+
+}  // namespace haarlight
