@@ -1,9 +1,18 @@
 // Step 1: the union of all spheres' visibility cubes, per sample.
 //
-// Lane j keeps row j of each of the six faces. Spheres are taken 32 at a time: each lane finds the
-// table entry of one of them, then all lanes read the rows of all 32. Faces that a mask leaves
-// empty are not read. A group of fewer than 32 is filled up with the last sphere, which changes
-// nothing in a union.
+// Spheres are taken 32 at a time: each lane finds the table entry of one of them, then all lanes
+// read the rows of all 32. Faces that a mask leaves empty are not read. A group of fewer than 32 is
+// filled up with the last sphere, which changes nothing in a union.
+
+// `rows` is row j of each face, for lane j.
+__device__ inline void addMask(uint* rows, const uint* mask, uint faces) {
+  for (uint face = 0; face < FACES; ++face)
+    if (faces >> face & 1) rows[face] |= mask[face * FACE_SIZE + LANE];
+}
+
+__device__ inline void storeRows(const uint* rows, uint* bitCube) {
+  for (uint face = 0; face < FACES; ++face) bitCube[face * FACE_SIZE + LANE] = rows[face];
+}
 
 HAARLIGHT_KERNEL void mergeBitCubes(const float4* __restrict__ positions,
                                     const float4* __restrict__ normals,
@@ -25,15 +34,9 @@ HAARLIGHT_KERNEL void mergeBitCubes(const float4* __restrict__ positions,
     faces[LANE] = occupiedFaces[entries[LANE]];
     LANE_BARRIER();
     for (uint i = 0; i < LANES; ++i) {
-      const uint* mask = sphereTable + size_t(entries[i]) * BIT_CUBE_ROWS;
-      for (uint face = 0; face < FACES; ++face) {
-        if ((faces[i] >> face & 1) == 0) continue;
-        rows[face] |= mask[face * FACE_SIZE + LANE];
-      }
+      addMask(rows, sphereTable + size_t(entries[i]) * BIT_CUBE_ROWS, faces[i]);
     }
     LANE_BARRIER();
   }
-
-  for (uint face = 0; face < FACES; ++face)
-    bitCubes[sample * BIT_CUBE_ROWS + face * FACE_SIZE + LANE] = rows[face];
+  storeRows(rows, bitCubes + sample * BIT_CUBE_ROWS);
 }

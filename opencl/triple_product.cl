@@ -30,7 +30,7 @@ inline float4 blockValues(const Occlusion* occlusion, uint place) {
   __global const float* entry =
       occlusion->blockTable + (uint)occlusion->blocks[place] * BLOCK_TABLE_STRIDE;
   if (occlusion->levels == 1) return (float4)(0.0f, 0.0f, 0.0f, entry[0]);
-  return (float4)(entry[1], entry[2], entry[3], entry[0]);
+  return vload4(0, entry).yzwx;
 }
 
 inline float4 quarterValues(const Occlusion* occlusion, uint place) {
@@ -63,14 +63,8 @@ inline float dotValues(float4 weight, float4 values) {
   return fma(weight.w, values.w, sum);
 }
 
-#define ADD_TERM(lane, coefficient, value)                                       \
-  {                                                                              \
-    const float4 factor = (coefficient);                                         \
-    const float term = (value);                                                  \
-    OF_LANE(red, lane) = fma(factor.x, term, OF_LANE(red, lane));                \
-    OF_LANE(green, lane) = fma(factor.y, term, OF_LANE(green, lane));            \
-    OF_LANE(blue, lane) = fma(factor.z, term, OF_LANE(blue, lane));              \
-  }
+#define ADD_TERM(lane, coefficient, value) \
+  OF_LANE(sums, lane) = fma(coefficient, (float4)(value), OF_LANE(sums, lane));
 
 #define ADD_LIGHT_TERMS(begin, end, valuesAt)                                              \
   for (uint first = (begin); first < (end); first += LANES)                                \
@@ -125,8 +119,8 @@ HAARLIGHT_KERNEL void tripleProduct(__global const float* restrict coefficients,
                        {receiver.weights.x, receiver.weights.y, receiver.weights.z}};
   const uint lightTermCount = lightListEnds.z;
 
-  float red[LANES_PER_ITEM], green[LANES_PER_ITEM], blue[LANES_PER_ITEM];
-  FOR_EACH_LANE(lane) OF_LANE(red, lane) = OF_LANE(green, lane) = OF_LANE(blue, lane) = 0.0f;
+  float4 sums[LANES_PER_ITEM];
+  FOR_EACH_LANE(lane) OF_LANE(sums, lane) = (float4)(0.0f);
 
   ADD_LIGHT_TERMS(0, lightListEnds.x, coarseValues);
   ADD_LIGHT_TERMS(lightListEnds.x, lightListEnds.y, blockValues);
@@ -140,9 +134,9 @@ HAARLIGHT_KERNEL void tripleProduct(__global const float* restrict coefficients,
   }
 
   FOR_EACH_LANE(lane) {
-    redPartials[lane] = OF_LANE(red, lane);
-    greenPartials[lane] = OF_LANE(green, lane);
-    bluePartials[lane] = OF_LANE(blue, lane);
+    redPartials[lane] = OF_LANE(sums, lane).x;
+    greenPartials[lane] = OF_LANE(sums, lane).y;
+    bluePartials[lane] = OF_LANE(sums, lane).z;
   }
   LANE_BARRIER();
   const float redSum = addPartials(redPartials), greenSum = addPartials(greenPartials),

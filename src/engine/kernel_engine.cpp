@@ -180,8 +180,8 @@ CommandSeconds KernelEngine::launchMerge(std::size_t spheres, std::size_t sample
 
 CommandSeconds KernelEngine::launchTransform(std::size_t samples) {
   return launch("transformOcclusion", samples,
-                std::array<KernelArgument, 5>{
-                    batch_.bitCubes, blockTable_,
+                std::array<KernelArgument, 4>{
+                    batch_.bitCubes,
                     roomFor(batch_.coefficients, samples, sizeof(OcclusionHaar::coefficients)),
                     roomFor(batch_.means, samples, sizeof(OcclusionHaar::means)),
                     roomFor(batch_.blocks, samples, sizeof(OcclusionHaar::blocks))});

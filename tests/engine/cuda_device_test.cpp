@@ -19,7 +19,7 @@ struct HostDevice {
   void launch(const char* kernel, const Arguments& arguments) {
     device->launch(kernel, 0, arguments);
   }
-  Arguments transformArguments() const { return Arguments(5, buffer.get()); }
+  Arguments transformArguments() const { return Arguments(4, buffer.get()); }
 };
 
 EngineOptions onDevice(const std::string& device) {
@@ -62,7 +62,7 @@ TEST_CASE("cuda-host: launches with other arguments than the kernel's are faults
   Arguments arguments = host.transformArguments();
   arguments.pop_back();
   CHECK_THROWS_WITH_AS(host.launch("transformOcclusion", arguments),
-                       "kernel transformOcclusion takes 5 arguments, not 4", std::logic_error);
+                       "kernel transformOcclusion takes 4 arguments, not 3", std::logic_error);
   for (const KernelArgument& wrong : Arguments{std::uint32_t(1), glm::uvec4(1)}) {
     arguments = host.transformArguments();
     arguments[3] = wrong;

@@ -50,6 +50,19 @@ std::vector<KernelDeclaration> kernelDeclarations(const std::string& source) {
   return kernels;
 }
 
+std::string oneLaneSource(const std::string& source) {
+  const std::string begin = "#if LANES_PER_ITEM == 1\n", other = "#else\n", end = "#endif\n";
+  std::string result;
+  std::size_t from = 0;
+  for (std::size_t at; (at = source.find(begin, from)) != std::string::npos;) {
+    const std::size_t otherAt = source.find(other, at), endAt = source.find(end, otherAt);
+    if (endAt == std::string::npos) break;
+    result += source.substr(from, otherAt - from).erase(at - from, begin.size());
+    from = endAt + end.size();
+  }
+  return result + source.substr(from);
+}
+
 std::vector<std::string> helperNames(const std::string& source) {
   static const std::regex helper(R"(\binline\s+\w+\s+(\w+)\s*\()");
   const std::string text = withoutComments(source);

@@ -21,6 +21,10 @@ std::string withoutComments(const std::string& source);
 /// What HAARLIGHT_KERNEL declares.
 std::vector<KernelDeclaration> kernelDeclarations(const std::string& source);
 
+/// The source as it is for work-items of one lane, which the CUDA twin is written for: of every
+/// "#if LANES_PER_ITEM == 1", the part before "#else".
+std::string oneLaneSource(const std::string& source);
+
 /// Names of the inline functions, in their order.
 std::vector<std::string> helperNames(const std::string& source);
 
