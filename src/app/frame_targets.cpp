@@ -59,9 +59,11 @@ void checkFrameTargets(const std::vector<std::string>& outputs, const FrameRange
     } else if (frames.count() == 1) {
       checkTarget(output, {".png", ".exr"});
     } else {
-      throw InputError(fmt::format(
-          "{} is one file for {} frames; put the number into the name, as in frame_%04d.png",
-          output, frames.count()));
+      throw InputError(
+          fmt::format("{} is one file for {} frames; put the number into the name, as in "
+                      "frame_%04d.png, or write "
+                      "a clip: .mp4, .webm or .gif",
+                      output, frames.count()));
     }
   }
 }
