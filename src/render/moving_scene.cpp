@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesh/mesh_transform.h"
 #include "render/object_spheres.h"
 #include "spheres/bind_spheres.h"
 
@@ -28,10 +29,15 @@ MovingScene::MovingScene(const SceneDescription& description, const Progress& pr
 
 void MovingScene::addObject(const ObjectDescription& description, const Progress& progress) {
   MovingObject& object = objects_.emplace_back(description, description_, scene_.warnings);
-  SceneObject& shown = scene_.objects.emplace_back(SceneObject{
-      description.name, object.worldMesh(0), {}, {}, description.albedo, description.castsShadow});
-  if (!description.castsShadow) return;
   const TriangleMesh local = object.localMesh(0);
+  SceneObject& shown =
+      scene_.objects.emplace_back(SceneObject{description.name,
+                                              transformed(local, object.toWorld(0)),
+                                              {},
+                                              {},
+                                              description.albedo,
+                                              description.castsShadow});
+  if (!description.castsShadow) return;
   const ObjectSpheres spheres =
       spheresOf(description, {object.loadedMesh(), local, shown.mesh}, scene_.warnings, progress);
   shown.measures = spheres.set.measures;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 
 #include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "mesh/mesh_measures.h"
 #include "mesh/ray_scene.h"
 #include "render/radiance_method.h"
@@ -27,12 +27,12 @@ class TexelSumMethod : public RadianceMethod {
   }
 
   std::vector<glm::vec3> radiance(std::span<const SurfaceSample> samples) override {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     std::vector<glm::vec3> radiance(samples.size());
     parallelFor(samples.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) radiance[i] = radianceOf(samples[i]);
     });
-    times_.total += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    times_.total += watch.total();
     return radiance;
   }
 
@@ -50,8 +50,7 @@ class TexelSumMethod : public RadianceMethod {
     const RadianceCube& light = scene_.light.projection.cube;
     glm::dvec3 sum(0);
     for (int texel = 0; texel < texelCount; ++texel)
-      if (lobe[texel] > 0 && !blocked.blocked(texel))
-        sum += lobe[texel] * glm::dvec3(light[texel]);
+      if (lobe[texel] > 0 && !blocked.blocked(texel)) sum += lobe[texel] * glm::dvec3(light[texel]);
     return sample.albedo * glm::vec3(sum / double(texelsPerFace));
   }
 };

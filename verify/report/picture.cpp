@@ -1,10 +1,12 @@
 #include "verify/report/picture.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
+#include <span>
 #include <stdexcept>
+
+#include "base/crc32.h"
 
 namespace haarlight::verify {
 
@@ -30,24 +32,12 @@ void appendBigEndian(Bytes& bytes, std::uint32_t value) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(std::uint8_t(value >> shift));
 }
 
-constexpr std::array<std::uint32_t, 256> crcTable = [] {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t i = 0; i < 256; ++i) {
-    table[i] = i;
-    for (int bit = 0; bit < 8; ++bit) table[i] = table[i] >> 1 ^ (table[i] & 1 ? 0xEDB88320u : 0u);
-  }
-  return table;
-}();
-
 void appendChunk(Bytes& png, std::string_view type, const Bytes& content) {
   appendBigEndian(png, std::uint32_t(content.size()));
   const std::size_t checked = png.size();
   png.insert(png.end(), type.begin(), type.end());
   png.insert(png.end(), content.begin(), content.end());
-  std::uint32_t crc = ~0u;
-  for (std::size_t i = checked; i < png.size(); ++i)
-    crc = crcTable[(crc ^ png[i]) & 0xFF] ^ crc >> 8;
-  appendBigEndian(png, ~crc);
+  appendBigEndian(png, crc32(std::span(png).subspan(checked)));
 }
 
 std::uint32_t adler32(const Bytes& bytes) {
