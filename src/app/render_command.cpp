@@ -15,6 +15,7 @@
 #include "image/contact_sheet.h"
 #include "image/tonemap.h"
 #include "render/render_image.h"
+#include "scene/keyframes.h"
 #include "scene/names.h"
 
 namespace haarlight {
@@ -167,7 +168,7 @@ void renderStill(const RenderOptions& options, Console& console) {
     throw InputError("--frame-rate needs a receiver plane in the scene");
 
   const auto start = std::chrono::steady_clock::now();
-  const ScreenSampler sampler(setup.scene(), scene.camera, scene.image);
+  const ScreenSampler sampler(setup.scene(), cameraAt(scene.camera, 0), scene.image);
   const auto method = setup.method(scene.shading.method, sampler.overview(), true);
   const RenderedImage picture = sampler.render(*method, console.progress());
   const double seconds =

@@ -103,6 +103,17 @@ TEST_CASE("frames show seconds: half as many a second are every other frame") {
     CHECK(animation.frame("b_%d.png", frame) == animation.frame("a_%d.png", 2 * frame));
 }
 
+TEST_CASE("a still shows second 0, through the camera of that second") {
+  std::string moving = movingBall;
+  moving.insert(moving.find("\"image\""),
+                R"("camera": {"motion": {"keys": [{"seconds": 0, "position": [4, 3, 4]}]}}, )");
+  const Animation animation(moving);
+  resultsOf(animation.render({"--exposure", "0", "-o", animation.folder / "still.png"}));
+  resultsOf(
+      animation.render({"--exposure", "0", "--frames", "0", "-o", animation.folder / "frame.png"}));
+  CHECK(readFile(animation.folder / "still.png") == readFile(animation.folder / "frame.png"));
+}
+
 TEST_CASE("a damaged frame, or one of another size, is rendered again") {
   const Animation animation;
   const Arguments render = animation.render({"--resume", "-o", animation.folder / "f_%d.png"});
