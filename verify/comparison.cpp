@@ -15,8 +15,10 @@ std::string nameOf(const ShadingSettings& settings) {
 
 float brightest(const ShadingTables& tables) {
   float maximum = 0;
-  for (const glm::vec4& radiance : tables.unshadowed)
+  for (std::size_t slot = 0; slot < tables.slotCount(); ++slot) {
+    const glm::vec3 radiance = tables.unshadowedRadiance(slot);
     maximum = std::max({maximum, radiance.x, radiance.y, radiance.z});
+  }
   return maximum;
 }
 

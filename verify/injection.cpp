@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/error.h"
-#include "engine/reference/sample_shader.h"
 #include "verify/places.h"
 
 namespace haarlight::verify {
@@ -18,32 +17,18 @@ struct NamedKind {
 };
 constexpr std::array namedKinds{
     NamedKind{"sphere", InjectionKind::sphere}, NamedKind{"bit", InjectionKind::bit},
-    NamedKind{"coefficient", InjectionKind::coefficient}, NamedKind{"ulp", InjectionKind::ulp},
-    NamedKind{"order", InjectionKind::order}};
+    NamedKind{"coefficient", InjectionKind::coefficient}, NamedKind{"ulp", InjectionKind::ulp}};
 
 float nextUp(float value) {
   return std::nextafter(value, std::numeric_limits<float>::infinity());
 }
-
-/// One sum, term after term, instead of 32.
-class SequentialSum {
- public:
-  void add(std::size_t, const glm::vec4& coefficient, float value) {
-    for (int channel = 0; channel < 3; ++channel)
-      sum_[channel] = std::fma(coefficient[channel], value, sum_[channel]);
-  }
-  glm::vec3 total() const { return sum_; }
-
- private:
-  glm::vec3 sum_{0};
-};
 
 }  // namespace
 
 InjectionKind injectionKind(const std::string& name) {
   for (const NamedKind& named : namedKinds)
     if (name == named.name) return named.kind;
-  throw InputError("unknown fault '" + name + "': use sphere, bit, coefficient, ulp or order");
+  throw InputError("unknown fault '" + name + "': use sphere, bit, coefficient or ulp");
 }
 
 std::string nameOf(InjectionKind kind) {
@@ -69,11 +54,6 @@ std::vector<Sphere> FaultyEngine::moveSpheres(std::span<const glm::vec4> positio
   value = nextUp(value);
   faults_.push_back({caseName_, sample, movedSpherePlace(sample, number)});
   return spheres;
-}
-
-void FaultyEngine::setShading(const ShadingTables& tables) {
-  tables_ = tables;
-  engine_->setShading(tables);
 }
 
 std::vector<BitCube> FaultyEngine::mergeBitCubes(std::span<const Sphere> spheres,
@@ -105,31 +85,11 @@ void FaultyEngine::moveByOneUlp(std::vector<glm::vec4>& radiance) {
   faults_.push_back({caseName_, sample, channelPlace(channel)});
 }
 
-/// The first sample, from a chosen one on, whose sum another order changes.
-void FaultyEngine::reorder(std::vector<glm::vec4>& radiance,
-                           std::span<const OcclusionHaar> occlusion,
-                           std::span<const LobeBlend> lobes) {
-  const std::size_t first = choose(radiance.size());
-  for (std::size_t i = 0; i < radiance.size(); ++i) {
-    const std::size_t sample = (first + i) % radiance.size();
-    const glm::vec4 right = radiance[sample];
-    const glm::vec4 other =
-        SampleShader<SequentialSum>(tables_, occlusion[sample], lobes[sample]).radiance();
-    for (int channel = 0; channel < 3; ++channel)
-      if (other[channel] != right[channel])
-        faults_.push_back({caseName_, sample, channelPlace(channel)});
-    if (other == right) continue;
-    radiance[sample] = other;
-    return;
-  }
-}
-
 std::vector<glm::vec4> FaultyEngine::tripleProduct(std::span<const OcclusionHaar> occlusion,
                                                    std::span<const LobeBlend> lobes) {
   auto radiance = engine_->tripleProduct(occlusion, lobes);
   if (radiance.empty()) return radiance;
   if (kind_ == InjectionKind::ulp) moveByOneUlp(radiance);
-  if (kind_ == InjectionKind::order) reorder(radiance, occlusion, lobes);
   return radiance;
 }
 

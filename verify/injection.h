@@ -20,9 +20,7 @@ enum class InjectionKind {
   /// One Haar coefficient is moved to the next float32 number.
   coefficient,
   /// One channel of a radiance is moved to the next float32 number.
-  ulp,
-  /// One radiance is summed in another order.
-  order
+  ulp
 };
 
 struct Injection {
@@ -30,7 +28,7 @@ struct Injection {
   std::string engine;
 };
 
-/// "sphere", "bit", "coefficient", "ulp" or "order". Throws InputError for another word.
+/// "sphere", "bit", "coefficient" or "ulp". Throws InputError for another word.
 InjectionKind injectionKind(const std::string& name);
 std::string nameOf(InjectionKind kind);
 
@@ -54,7 +52,6 @@ class FaultyEngine final : public ForwardingEngine {
   const std::vector<InjectedFault>& faults() const { return faults_; }
 
   std::vector<Sphere> moveSpheres(std::span<const glm::vec4> positions) override;
-  void setShading(const ShadingTables& tables) override;
   std::vector<BitCube> mergeBitCubes(std::span<const Sphere> spheres,
                                      ReceiverSpan receivers) override;
   std::vector<OcclusionHaar> transformOcclusion(std::span<const BitCube> cubes) override;
@@ -66,11 +63,8 @@ class FaultyEngine final : public ForwardingEngine {
  private:
   std::size_t choose(std::size_t count);
   void moveByOneUlp(std::vector<glm::vec4>& radiance);
-  void reorder(std::vector<glm::vec4>& radiance, std::span<const OcclusionHaar> occlusion,
-               std::span<const LobeBlend> lobes);
 
   InjectionKind kind_;
-  ShadingTables tables_;
   std::string caseName_;
   std::size_t calls_ = 0;
   std::vector<InjectedFault> faults_;

@@ -19,7 +19,5 @@
   CONSTANT(COARSE_MEANS, haarlight::coarseMeansPerFace)                \
   CONSTANT(BLOCKS, haarlight::blockCount)                              \
   CONSTANT(BLOCKS_PER_FACE, haarlight::blocksPerFace)                  \
-  CONSTANT(BLOCKS_PER_SIDE, haarlight::blocksPerSide)                  \
-  CONSTANT(BLOCK_TABLE_STRIDE, haarlight::blockTableStride)            \
-  CONSTANT(TERM_DETAILS, haarlight::termDetails)
+  CONSTANT(BLOCKS_PER_SIDE, haarlight::blocksPerSide)
 // clang-format on

@@ -21,10 +21,8 @@ std::size_t roundedUp(std::size_t count, std::size_t multiple) {
 
 /// Tables of one light on the device.
 struct DeviceTables {
-  std::uint32_t levels = 2;
-  glm::uvec4 lightListEnds{0};
-  GrowingBuffer lobeSlots, lightPlaces, lightCoefficients, lightWeights;
-  GrowingBuffer lobeListStarts, lobePlaces, lobeValues, lightMeans, unshadowed;
+  glm::uvec4 squareListEnds{0};
+  GrowingBuffer lobeSlots, squarePlaces, weights, unshadowed, scales;
 };
 
 /// What spheres follow, on the device.
@@ -87,7 +85,7 @@ class KernelEngine final : public Engine {
   std::size_t samplesPerGroup_;
   bool usesTable_;
   std::uint64_t allocatedBytes_ = 0;
-  GrowingBuffer sphereTable_, occupiedFaces_, blockTable_, spheres_, tableEntries_;
+  GrowingBuffer sphereTable_, occupiedFaces_, spheres_, tableEntries_;
   BatchBuffers batch_;
   DeviceTables tables_;
   DeviceBinding binding_;
@@ -102,7 +100,6 @@ KernelEngine::KernelEngine(std::unique_ptr<KernelDevice> device, const SphereTab
     upload(sphereTable_, table->words());
     upload(occupiedFaces_, table->occupiedFaces());
   }
-  upload(blockTable_, std::span(blockTable()));
   const auto start = Clock::now();
   warmUp();
   preparationSeconds_ = device_->buildSeconds() + secondsSince(start);
@@ -193,27 +190,21 @@ CommandSeconds KernelEngine::launchTripleProduct(std::span<const LobeBlend> lobe
   const std::uint32_t lobesPerReceiver = single ? 1 : 3;
   return launch(
       "tripleProduct", lobes.size(),
-      std::array<KernelArgument, 18>{
-          batch_.coefficients, batch_.means, batch_.blocks, blockTable_, batch_.lobes,
-          lobesPerReceiver, tables_.levels, tables_.lobeSlots, tables_.lightListEnds,
-          tables_.lightPlaces, tables_.lightCoefficients, tables_.lightWeights,
-          tables_.lobeListStarts, tables_.lobePlaces, tables_.lobeValues, tables_.lightMeans,
-          tables_.unshadowed, roomFor(batch_.radiance, lobes.size(), sizeof(glm::vec4))});
+      std::array<KernelArgument, 12>{
+          batch_.coefficients, batch_.means, batch_.blocks, batch_.lobes, lobesPerReceiver,
+          tables_.lobeSlots, tables_.squareListEnds, tables_.squarePlaces, tables_.weights,
+          tables_.unshadowed, tables_.scales,
+          roomFor(batch_.radiance, lobes.size(), sizeof(glm::vec4))});
 }
 
 void KernelEngine::setShading(const ShadingTables& tables) {
-  tables_.levels = std::uint32_t(tables.settings.levels);
-  const auto& ends = tables.lightListEnds;
-  tables_.lightListEnds = {ends[coarseTerm], ends[blockTerm], ends[quarterTerm], 0};
+  const auto& ends = tables.squareListEnds;
+  tables_.squareListEnds = {ends[coarseSquares], ends[blockSquares], ends[quarterSquares], 0};
   upload(tables_.lobeSlots, std::span(tables.lobeSlots));
-  upload(tables_.lightPlaces, std::span(tables.lightPlaces));
-  upload(tables_.lightCoefficients, std::span(tables.lightCoefficients));
-  upload(tables_.lightWeights, std::span(tables.lightWeights));
-  upload(tables_.lobeListStarts, std::span(tables.lobeListStarts));
-  upload(tables_.lobePlaces, std::span(tables.lobePlaces));
-  upload(tables_.lobeValues, std::span(tables.lobeValues));
-  upload(tables_.lightMeans, std::span(tables.lightMeans));
+  upload(tables_.squarePlaces, std::span(tables.squarePlaces));
+  upload(tables_.weights, std::span(tables.weights));
   upload(tables_.unshadowed, std::span(tables.unshadowed));
+  upload(tables_.scales, std::span(tables.scales));
 }
 
 void KernelEngine::setSphereBinding(const SphereBinding& binding) {

@@ -9,22 +9,15 @@
 ///
 /// the unshadowed radiance, which does not depend on the sample and is tabulated exactly per lobe,
 /// less a triple product that vanishes where nothing blocks. The triple product is the paper's
-/// (§3.5) with its non-linear cut (§4.1), grouped by the factor that is sparse:
+/// (§3.5) with its non-linear cut (§4.1): the light's wavelets that matter most, and the lobe's of
+/// levels 0 … 2. With all terms of both it is complete. Its terms are gathered by the squares of
+/// the Haar pyramid that they read, as integers (engine/square_weights.h):
 ///
-///   light terms   the Φ of each face and the N wavelets M of the light that matter most:
-///                 L_M (O_M psum(p) + p_M psum(O) + 2^l (p_a O_b + p_b O_a)), a and b the other
-///                 types on the square;
-///   lobe terms    the wavelets of the lobe: p_M O_M psum(L).
+///     B_p = scale_p · (unshadowed_p − Σ weights_p · numbers of blocked texels)   modulo 2³²
 ///
-/// With all light terms and all lobe terms this is the complete triple product.
-///
-/// Summation order (method.md §8): terms stand in lists; term k of a list goes by fma into partial
-/// sum k mod 32, list after list, and the partial sums are added by the tree 16, 8, 4, 2, 1. The
-/// lists: light terms coarse, block, quarter; then for each of the receiver's lobes its lobe terms
-/// coarse, block, quarter. "Coarse" is levels 0 … 2, "block" level 3, "quarter" level 4. Every list
-/// is filled up with zero terms to a multiple of 32, which changes no sum.
+/// A receiver's radiance is the blend Σ w_i B_i of its lobes, the first by multiplication, the
+/// others by fma.
 
-#include <array>
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <span>
@@ -32,33 +25,11 @@
 
 #include "base/canonical_order.h"
 #include "cube/cube_image.h"
+#include "engine/shading_settings.h"
+#include "engine/square_weights.h"
 #include "material/cosine_lobe.h"
 
 namespace haarlight {
-
-/// Wavelets of all six faces; the Φ of the faces are always kept and not counted.
-inline constexpr int waveletCount = faceCount * (coefficientsPerFace - 1);
-inline constexpr int maximumTerms = texelCount;
-
-/// Lists of terms by how their occlusion is looked up.
-enum TermDetail { coarseTerm = 0, blockTerm = 1, quarterTerm = 2 };
-inline constexpr int termDetails = 3;
-
-struct ShadingSettings {
-  /// Light wavelets kept, 0 … 6144; from 6138 on everything is kept, of the lobes too.
-  int terms = 200;
-  /// Levels of occlusion: 1 = the 8×8 face only (GPU-I), 2 = with the 4×4 blocks (GPU-II).
-  int levels = 2;
-  /// How the light's wavelets are ranked.
-  enum class Ranking {
-    /// |L| · psum(lobe) · 2^{-1.5 l}: the magnitude weighed by what the lobe makes of the square
-    /// and by the root mean square of an occlusion coefficient, 2^{-l} at a shadow edge times the
-    /// chance 2^{-l} that an edge crosses the square.
-    expectedContribution,
-    /// |L| alone, as the paper does.
-    magnitude
-  } ranking = Ranking::expectedContribution;
-};
 
 struct ShadingTables {
   ShadingSettings settings;
@@ -67,29 +38,27 @@ struct ShadingTables {
   /// after the other, all others share the last slot, which is black.
   std::vector<std::uint32_t> lobeSlots;
 
-  /// End of each list in the arrays of light terms.
-  std::array<std::uint32_t, termDetails> lightListEnds{};
-  /// Where a term's occlusion lies. Coarse: (mean index << 16) | index of the square's first
-  /// coefficient, both as in OcclusionHaar; block: block index; quarter: block index · 4 + quarter.
-  std::vector<std::uint32_t> lightPlaces;
-  /// Light coefficient (RGB, 0).
-  std::vector<glm::vec4> lightCoefficients;
-  /// slot · terms + term: factors of O_horizontal, O_vertical, O_diagonal and psum(O).
-  std::vector<glm::vec4> lightWeights;
+  /// End of each list of squares; coarse squares lie in the order of OcclusionHaar::means.
+  std::array<std::uint32_t, squareDetails> squareListEnds{};
+  /// Where the occlusion of a square lies. Block squares: block index as in OcclusionHaar; quarter
+  /// squares: block index · 4 + quarter; unused for coarse squares.
+  std::vector<std::uint32_t> squarePlaces;
+  /// Index of a block's square and of its four quarters' in the list, block · 5 + 0 … 4;
+  /// absentSquare where the list has none.
+  std::vector<std::uint32_t> blockSquares;
 
-  /// Start of each list of lobe terms: slot · 3 + detail; one more entry ends the last.
-  std::vector<std::uint32_t> lobeListStarts;
-  /// (index into lightMeans << 16) | place. Coarse: coefficient index as in OcclusionHaar; block
-  /// and quarter: block index · 16 + slot in the block's table entry.
-  std::vector<std::uint32_t> lobePlaces;
-  std::vector<float> lobeValues;
+  /// slot · squares + square.
+  SquareWeights weights;
+  /// By slot.
+  std::vector<glm::uvec4> unshadowed;
+  std::vector<glm::vec4> scales;
 
-  /// psum(L) of every square: face · 341 + mean index (RGB, 0).
-  std::vector<glm::vec4> lightMeans;
-  /// ∫ L p of every slot (RGB, 0).
-  std::vector<glm::vec4> unshadowed;
+  static constexpr std::uint32_t absentSquare = ~0u;
 
-  std::size_t lightTermCount() const { return lightPlaces.size(); }
+  std::size_t squareCount() const { return squarePlaces.size(); }
+  std::size_t slotCount() const { return unshadowed.size(); }
+  /// Radiance of a slot's lobe of which no light is blocked (RGB).
+  glm::vec3 unshadowedRadiance(std::size_t slot) const;
 };
 
 /// Builds the tables. `lobeImportance` says how often each lobe occurs among the receivers

@@ -60,8 +60,7 @@ TEST_CASE("every kind of fault is found where it was put") {
   for (const auto& [kind, stage] : {std::pair(InjectionKind::sphere, Stage::movedSpheres),
                                     std::pair(InjectionKind::bit, Stage::bitCubes),
                                     std::pair(InjectionKind::coefficient, Stage::haar),
-                                    std::pair(InjectionKind::ulp, Stage::tripleProduct),
-                                    std::pair(InjectionKind::order, Stage::tripleProduct)}) {
+                                    std::pair(InjectionKind::ulp, Stage::tripleProduct)}) {
     CAPTURE(nameOf(kind));
     RunOptions options = smallRun();
     options.injection = Injection{kind, "cuda-host"};

@@ -103,7 +103,7 @@ struct Absent {
 
 /// What became of the faults that were put into one engine's results (verify/injection.h).
 struct FaultSummary {
-  /// "sphere", "bit", "coefficient", "ulp" or "order".
+  /// "sphere", "bit", "coefficient" or "ulp".
   std::string kind;
   std::string engine, device, shape, visibility;
   std::uint64_t injected = 0;

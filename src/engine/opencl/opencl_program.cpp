@@ -44,7 +44,7 @@ std::string openClSource(const KernelShape& shape) {
   for (const char* file :
        {"lanes.cl", "canonical_sum.cl", "move_spheres.cl", "sphere_bin.cl",
         "sphere_table_entries.cl", "merge_bit_cubes.cl", "merge_bit_cubes_exactly.cl",
-        "transform_occlusion.cl", "triple_product.cl"})
+        "transform_occlusion.cl", "blend_radiance.cl", "triple_product.cl"})
     source += kernelText(file);
   return source;
 }

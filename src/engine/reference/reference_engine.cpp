@@ -65,7 +65,7 @@ class ReferenceEngine final : public Engine {
                                        std::span<const LobeBlend> lobes) override {
     std::vector<glm::vec4> radiance;
     for (std::size_t i = 0; i < occlusion.size(); ++i)
-      radiance.push_back(SampleShader(tables_, occlusion[i], lobes[i]).radiance());
+      radiance.push_back(SampleShader(tables_, occlusion[i]).radiance(lobes[i]));
     return radiance;
   }
 
@@ -81,7 +81,7 @@ class ReferenceEngine final : public Engine {
       clock.lap(stages.merge);
       const OcclusionHaar occlusion = haarlight::transformOcclusion(cube);
       clock.lap(stages.transform);
-      radiance.push_back(SampleShader(tables_, occlusion, receivers.lobes[i]).radiance());
+      radiance.push_back(SampleShader(tables_, occlusion).radiance(receivers.lobes[i]));
       clock.lap(stages.tripleProduct);
     }
     whole.lap(stages.total);
