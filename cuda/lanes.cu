@@ -32,6 +32,10 @@ using uint = unsigned int;
   NEW_SHARED_MEMORY(array##OfGroup);                                        \
   type* const array = array##OfGroup + SAMPLE_IN_GROUP * (size)
 
+// Merging takes a tile of samples at a time: here one.
+#define TILE 1
+#define FIRST_OF_TILE SAMPLE
+
 #define LANE threadIdx.x
 #define LANE_BARRIER() __syncthreads()
 

@@ -1,14 +1,15 @@
 // Which entry of the sphere table a sphere falls into. Twin of src/visibility/sphere_bin.cpp: the
 // same operations in the same order, since they decide bits. A lane has a sphere of its own.
 
-// Largest column (or row) whose lower border (column - 16)/16 * major is not above `coordinate`.
+// Largest column (or row) whose lower border (column - 16) * major/16 is not above `coordinate`.
 __device__ inline int texelOf(float coordinate, float major) {
-  int column = 0;
-  for (int step = 16; step > 0; step /= 2) {
-    const float border = float(column + step - 16) * 0.0625f * major;
-    column = coordinate >= border ? column + step : column;
+  const float sixteenth = 0.0625f * major;
+  float place = -16.0f;
+  for (float step = 16.0f; step >= 1.0f; step *= 0.5f) {
+    const float next = place + step;
+    place = coordinate >= next * sixteenth ? next : place;
   }
-  return column;
+  return int(place) + 16;
 }
 
 __device__ inline int directionBin(float x, float y, float z) {
@@ -25,29 +26,22 @@ __device__ inline int directionBin(float x, float y, float z) {
 }
 
 // r^2 >= (bin/32)^3 without the quotient; less where the centre is below the tangent plane.
-__device__ inline int radiusBin(float x, float y, float z, float radius, float4 normal) {
+__device__ inline int radiusBin(float x, float y, float z, float radius, float height) {
   const float distanceSquared = (x * x + y * y) + z * z;
   const float radiusSquared = radius * radius;
-  const float height = (x * normal.x + y * normal.y) + z * normal.z;
   const float depth = fminf(height, 0.0f);
   const float limit = float(HORIZON_FACTOR) * depth * depth;
-  int bin = 0;
-  for (int step = 16; step > 0; step /= 2) {
-    const int next = bin + step;
-    const float bound = float(next * next * next) * 0x1p-15f;
-    const bool reaches = radiusSquared >= bound * distanceSquared &&
-                         limit <= (1.0f - bound) * distanceSquared;
-    bin = reaches ? next : bin;
+  const float reach = fminf(radiusSquared, distanceSquared - limit);
+  const float unit = 0x1p-15f * distanceSquared;
+  float bin = 0.0f;
+  for (float step = 16.0f; step >= 1.0f; step *= 0.5f) {
+    const float next = bin + step;
+    bin = next * next * next * unit <= reach ? next : bin;
   }
-  return bin;
+  return int(bin);
 }
 
-// Table entries of the spheres first, first + 1, …, one per lane; the last sphere fills up the
-// lanes beyond sphereCount.
-__device__ inline void findTableEntries(const float4* __restrict__ spheres, uint sphereCount,
-                                        uint first, float4 position, float4 normal, uint* entries) {
-  const float4 sphere = spheres[min(first + LANE, sphereCount - 1)];
-  const float x = sphere.x - position.x, y = sphere.y - position.y, z = sphere.z - position.z;
-  entries[LANE] =
-      uint(directionBin(x, y, z) * RADIUS_BINS + radiusBin(x, y, z, sphere.w, normal));
+__device__ inline uint tableEntry(SeenSpheres seen) {
+  return uint(directionBin(seen.x, seen.y, seen.z) * RADIUS_BINS +
+              radiusBin(seen.x, seen.y, seen.z, seen.radius, seen.height));
 }

@@ -3,16 +3,14 @@
 
 HAARLIGHT_KERNEL void sphereTableEntries(const float4* __restrict__ positions,
                                          const float4* __restrict__ normals,
-                                         const float4* __restrict__ spheres,
+                                         const float* __restrict__ spheres,
                                          const uint sphereCount,
                                          uint* __restrict__ tableEntries) {
-  SAMPLE_LOCAL(uint, entries, LANES);
-  const size_t sample = SAMPLE;
-  const float4 position = positions[sample], normal = normals[sample];
-
+  const Tile tile = loadTile(positions, normals);
+  const uint stride = sphereStride(sphereCount);
   for (uint first = 0; first < sphereCount; first += LANES) {
-    findTableEntries(spheres, sphereCount, first, position, normal, entries);
+    const uint entry = tableEntry(seeSpheres(&tile, spheres, stride, first));
     if (first + LANE < sphereCount)
-      tableEntries[sample * sphereCount + first + LANE] = entries[LANE];
+      tableEntries[FIRST_OF_TILE * sphereCount + first + LANE] = entry;
   }
 }

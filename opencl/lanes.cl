@@ -28,7 +28,7 @@
 #endif
 #define SAMPLE (get_group_id(1) * SAMPLES_PER_GROUP + SAMPLE_IN_GROUP)
 #define SAMPLE_LOCAL(type, array, size)                     \
-  __local type array##OfGroup[SAMPLES_PER_GROUP * (size)]; \
+  __local type array##OfGroup[SAMPLES_PER_GROUP * (size)] __attribute__((aligned(64))); \
   __local type* const array = array##OfGroup + SAMPLE_IN_GROUP * (size)
 
 #if ITEMS_PER_SAMPLE > 1
@@ -72,6 +72,15 @@ typedef uint16 LaneUint;
 #define LOAD_LANES(address) vload16(0, address)
 #define STORE_LANES(value, address) vstore16(value, 0, address)
 #endif
+
+// Merging takes a tile of samples at a time: one where lanes are items, else a sample per element of
+// a LaneFloat.
+#if LANES_PER_ITEM == 1
+#define TILE 1
+#else
+#define TILE TILE_SAMPLES
+#endif
+#define FIRST_OF_TILE (SAMPLE * TILE)
 
 #define HAARLIGHT_KERNEL \
   __kernel __attribute__((reqd_work_group_size(ITEMS_PER_SAMPLE, SAMPLES_PER_GROUP, 1)))

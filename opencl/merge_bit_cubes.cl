@@ -1,66 +1,131 @@
 // Step 1: the union of all spheres' visibility cubes, per sample.
 //
-// Spheres are taken 32 at a time: each lane finds the table entry of one of them, then all lanes
-// read the rows of all 32. Faces that a mask leaves empty are not read. A group of fewer than 32 is
-// filled up with the last sphere, which changes nothing in a union.
+// A table entry is the number of its first group of 16 rows << 12 and which groups it has
+// (src/visibility/sphere_table.h); group 0 of the data is empty.
 
-// The rows of a sample that a work-item keeps. With one lane: row j of each face, for lane j. With
-// all lanes: 16 rows a vector, in two copies, to which spheres go in turn, so that a sphere need not
-// wait until the rows of the one before are stored.
+#define GROUPS_OF(entry) ((entry) & ALL_GROUPS)
+
+// The table on the device.
+typedef struct {
+  __global const uint* entries;
+  __global const uint* groups;
+} SphereTable;
+
+// Number of set bits among 12, by adding neighbours.
+inline LaneUint groupCount(LaneUint mask) {
+  LaneUint count = mask - (mask >> 1 & 0x555u);
+  count = (count & 0x333u) + (count >> 2 & 0x333u);
+  return (count + (count >> 4) + (count >> 8)) & 0xfu;
+}
+
 #if LANES_PER_ITEM == 1
-typedef uint UnionRow;
-#define UNION_ROWS FACES
+#define MERGE_ROOM LANES
 
-inline void addMask(UnionRow* rows, uint sphere, __global const uint* mask, uint faces) {
-  for (uint face = 0; face < FACES; ++face)
-    if (faces >> face & 1) rows[face] |= mask[face * FACE_SIZE + FIRST_LANE];
-}
-
-inline void storeRows(const UnionRow* rows, __global uint* bitCube) {
-  for (uint face = 0; face < FACES; ++face) bitCube[face * FACE_SIZE + FIRST_LANE] = rows[face];
-}
-#else
-typedef uint16 UnionRow;
-#define UNION_ROWS (2 * 2 * FACES)
-
-inline void addMask(UnionRow* rows, uint sphere, __global const uint* mask, uint faces) {
-  UnionRow* copy = rows + (sphere & 1) * 2 * FACES;
-  while (faces) {
-    const uint face = 31 - clz(faces);
-    faces ^= 1u << face;
-    copy[2 * face] |= vload16(2 * face, mask);
-    copy[2 * face + 1] |= vload16(2 * face + 1, mask);
+// A lane takes row lane % 16 of every other group. None touches another's rows, so masks need no
+// barrier between them.
+inline void addMask(__local uint* rows, uint entry, __global const uint* groups) {
+  const uint occupied = GROUPS_OF(entry);
+  __global const uint* own =
+      groups + (size_t)GROUP_ROWS * (entry >> GROUPS) + FIRST_LANE % GROUP_ROWS;
+  for (uint face = 0; face < FACES; ++face) {
+    const uint group = 2 * face + FIRST_LANE / GROUP_ROWS;
+    if (occupied >> group & 1)
+      rows[face * FACE_SIZE + FIRST_LANE] |=
+          own[GROUP_ROWS * groupCount(occupied & ((1u << group) - 1))];
   }
 }
 
-inline void storeRows(const UnionRow* rows, __global uint* bitCube) {
-  for (uint i = 0; i < 2 * FACES; ++i) vstore16(rows[i] | rows[2 * FACES + i], i, bitCube);
+// Spheres are taken 32 at a time: each lane finds the table entry of one of them, then all lanes read
+// the rows of all 32.
+inline uint mergeMasks(const Tile* tile, __global const float* spheres, uint sphereCount,
+                       const SphereTable* table, __local uint* room, __local uint* rows) {
+  const uint stride = sphereStride(sphereCount);
+  clearRows(rows);
+  for (uint first = 0; first < sphereCount; first += LANES) {
+    room[FIRST_LANE] = table->entries[tableEntry(seeSpheres(tile, spheres, stride, first))];
+    LANE_BARRIER();
+    const uint count = min((uint)LANES, sphereCount - first);
+    for (uint i = 0; i < count; ++i) addMask(rows, room[i], table->groups);
+    LANE_BARRIER();
+  }
+  return ALL_GROUPS;
+}
+#else
+// Spheres are taken 16 at a time: entries of them all for all samples, then lists of the groups that
+// any sample needs, then group by group and sample by sample the union over a list. So a group of a
+// sample's rows is loaded and stored once, and nothing waits for what was stored just before.
+#define SPHERES_AT_ONCE 16
+#define LIST_SIZE (SPHERES_AT_ONCE * TILE)
+#define MERGE_ROOM ((1 + GROUPS) * LIST_SIZE)
+
+inline void findTableEntries(const Tile* tile, __global const float* spheres, uint stride,
+                             uint first, uint count, __global const uint* table,
+                             __local uint* entries) {
+  for (uint i = 0; i < count; ++i)
+    ((__local uint16*)entries)[i] = tableEntry(seeSphere(tile, spheres, stride, first + i));
+  for (uint i = 0; i < count * TILE; ++i) entries[i] = table[entries[i]];
+}
+
+// Which group of the data every sample needs, sphere by sphere: group * 256 + sphere * 16 + sample,
+// the empty group where it needs none. Returns the groups that have a list.
+inline uint listGroups(__local const uint* entries, uint count, __local uint* lists, uint* sizes) {
+  uint occupied = 0;
+  for (uint group = 0; group < GROUPS; ++group) sizes[group] = 0;
+  for (uint i = 0; i < count; ++i) {
+    const uint16 entry = ((__local const uint16*)entries)[i], own = GROUPS_OF(entry);
+    uint groups = joinElements(own);
+    occupied |= groups;
+    for (; groups; groups &= groups - 1) {
+      const uint bit = groups & -groups, group = 31 - clz(bit);
+      const uint16 place = (entry >> GROUPS) + groupCount(own & (bit - 1));
+      ((__local uint16*)(lists + group * LIST_SIZE))[sizes[group]++] =
+          select((uint16)(0), place, (int16)((own & bit) != 0));
+    }
+  }
+  return occupied;
+}
+
+inline void addList(__local uint16* rows, __local const uint* list, uint size,
+                    __global const uint16* groups) {
+  for (uint sample = 0; sample < TILE; ++sample) {
+    uint16 joined = rows[sample * GROUPS];
+    for (uint i = 0; i < size; ++i) joined |= groups[list[i * TILE + sample]];
+    rows[sample * GROUPS] = joined;
+  }
+}
+
+inline uint mergeMasks(const Tile* tile, __global const float* spheres, uint sphereCount,
+                       const SphereTable* table, __local uint* room, __local uint* rows) {
+  const uint stride = sphereStride(sphereCount);
+  __local uint* lists = room + LIST_SIZE;
+  uint sizes[GROUPS], all = 0;
+  clearRows(rows);
+  for (uint first = 0; first < sphereCount; first += SPHERES_AT_ONCE) {
+    const uint count = min((uint)SPHERES_AT_ONCE, sphereCount - first);
+    findTableEntries(tile, spheres, stride, first, count, table->entries, room);
+    uint occupied = listGroups(room, count, lists, sizes);
+    all |= occupied;
+    for (; occupied; occupied &= occupied - 1) {
+      const uint group = 31 - clz(occupied & -occupied);
+      addList((__local uint16*)rows + group, lists + group * LIST_SIZE, sizes[group],
+              (__global const uint16*)table->groups);
+    }
+  }
+  return all;
 }
 #endif
 
 HAARLIGHT_KERNEL void mergeBitCubes(__global const float4* restrict positions,
                                     __global const float4* restrict normals,
-                                    __global const float4* restrict spheres,
+                                    __global const float* restrict spheres,
                                     const uint sphereCount,
-                                    __global const uint* restrict sphereTable,
-                                    __global const uchar* restrict occupiedFaces,
+                                    __global const uint* restrict tableEntries,
+                                    __global const uint* restrict tableGroups,
                                     __global uint* restrict bitCubes) {
-  SAMPLE_LOCAL(float, seen, 4 * LANES);
-  SAMPLE_LOCAL(uint, entries, LANES);
-  SAMPLE_LOCAL(uint, faces, LANES);
-  const size_t sample = SAMPLE;
-  const float4 position = positions[sample], normal = normals[sample];
-  UnionRow rows[UNION_ROWS];
-  for (uint i = 0; i < UNION_ROWS; ++i) rows[i] = 0;
-
-  for (uint first = 0; first < sphereCount; first += LANES) {
-    findTableEntries(spheres, sphereCount, first, position, normal, seen, entries);
-    FOR_EACH_LANE(lane) faces[lane] = occupiedFaces[entries[lane]];
-    LANE_BARRIER();
-    for (uint i = 0; i < LANES; ++i) {
-      addMask(rows, i, sphereTable + (size_t)entries[i] * BIT_CUBE_ROWS, faces[i]);
-    }
-    LANE_BARRIER();
-  }
-  storeRows(rows, bitCubes + sample * BIT_CUBE_ROWS);
+  SAMPLE_LOCAL(uint, room, MERGE_ROOM);
+  SAMPLE_LOCAL(uint, rows, TILE * BIT_CUBE_ROWS);
+  const Tile tile = loadTile(positions, normals);
+  const SphereTable table = {tableEntries, tableGroups};
+  mergeMasks(&tile, spheres, sphereCount, &table, room, rows);
+  storeRows(rows, bitCubes + FIRST_OF_TILE * BIT_CUBE_ROWS);
 }

@@ -2,24 +2,39 @@
 // src/visibility/exact_visibility.cpp: the same operations in the same order, since they decide
 // bits.
 //
-// Lane j keeps row j of each of the six faces. Spheres are taken 32 at a time: each lane prepares
-// one of them, then all lanes test their rows against all 32. A group of fewer than 32 is filled up
-// with the last sphere, which changes nothing in a union.
+// With one lane an item, spheres are taken 32 at a time: each lane prepares one of them, then all
+// lanes test their rows, row j of each face, against all 32. With all lanes, 16 samples test each row
+// against a sphere.
 
 // Bounds by which faces and rows are passed over get this factor, far above their rounding errors,
 // so that no texel is lost.
 #define CAUTION 1.00001f
 
+// A sphere seen from a sample: vector to its centre and d^2 cos^2 alpha.
+typedef struct {
+  LaneFloat x, y, z, rim;
+} Caps;
+
+inline Caps capsOf(SeenSpheres seen) {
+  const LaneFloat distanceSquared = (seen.x * seen.x + seen.y * seen.y) + seen.z * seen.z;
+  const LaneFloat radiusSquared = seen.radius * seen.radius;
+  const LaneFloat depth = fmin(seen.height, (LaneFloat)0.0f);
+  const LaneFloat limit = (float)HORIZON_FACTOR * depth * depth;
+  const Caps caps = {seen.x, seen.y, seen.z,
+                     fmax(fmax(distanceSquared - radiusSquared, (LaneFloat)0.0f), limit)};
+  return caps;
+}
+
 // Components along a face's direction and its s and t axes.
-inline float4 onFace(uint face, float4 d) {
-  switch (face) {
-    case 0: return (float4)(d.x, -d.z, -d.y, 0.0f);
-    case 1: return (float4)(-d.x, d.z, -d.y, 0.0f);
-    case 2: return (float4)(d.y, d.x, d.z, 0.0f);
-    case 3: return (float4)(-d.y, d.x, -d.z, 0.0f);
-    case 4: return (float4)(d.z, d.x, -d.y, 0.0f);
-    default: return (float4)(-d.z, -d.x, -d.y, 0.0f);
-  }
+typedef struct {
+  LaneFloat major, alongS, alongT;
+} FaceComponents;
+
+inline FaceComponents onFace(uint face, Caps caps) {
+  const FaceComponents components[FACES] = {
+      {caps.x, -caps.z, -caps.y}, {-caps.x, caps.z, -caps.y}, {caps.y, caps.x, caps.z},
+      {-caps.y, caps.x, -caps.z}, {caps.z, caps.x, -caps.y},  {-caps.z, -caps.x, -caps.y}};
+  return components[face];
 }
 
 // Coordinates of the centres of rows or columns.
@@ -52,39 +67,15 @@ inline LaneInt reachedFaces(LaneFloat x, LaneFloat y, LaneFloat z, LaneFloat rim
   return faces;
 }
 
-// Room for the spheres of a group as seen from the sample: vector to the centre, d^2 cos^2 alpha, and
-// the faces reached.
-#define CAP_FLOATS (4 * LANES)
-
-inline void findCaps(__global const float4* restrict spheres, uint sphereCount, uint first,
-                     float4 position, float4 normal, __local float* caps, __local uint* faces) {
-  FOR_EACH_LANE(lane) {
-    const float4 sphere = spheres[min(first + lane, sphereCount - 1)];
-    caps[lane] = sphere.x - position.x;
-    caps[lane + LANES] = sphere.y - position.y;
-    caps[lane + 2 * LANES] = sphere.z - position.z;
-    caps[lane + 3 * LANES] = sphere.w;
-  }
-  for (uint vector = 0; vector < LANE_VECTORS; ++vector) {
-    __local float* own = caps + 16 * vector;
-    const LaneFloat x = LOAD_LANES(own), y = LOAD_LANES(own + LANES),
-                    z = LOAD_LANES(own + 2 * LANES), radius = LOAD_LANES(own + 3 * LANES);
-    const LaneFloat distanceSquared = (x * x + y * y) + z * z;
-    const LaneFloat radiusSquared = radius * radius;
-    const LaneFloat height = (x * normal.x + y * normal.y) + z * normal.z;
-    const LaneFloat depth = fmin(height, (LaneFloat)0.0f);
-    const LaneFloat limit = (float)HORIZON_FACTOR * depth * depth;
-    const LaneFloat rim = fmax(fmax(distanceSquared - radiusSquared, (LaneFloat)0.0f), limit);
-    STORE_LANES(rim, own + 3 * LANES);
-    STORE_LANES(TO_LANE_UINT(reachedFaces(x, y, z, rim)), faces + 16 * vector);
-  }
-}
-
-// One row of a face per lane: c.D = atCenter + s * alongS, |c|^2 = lengthSquared + s^2.
+// Rows of a face: c.D = atCenter + s * alongS, |c|^2 = lengthSquared + s^2.
 typedef struct {
-  LaneFloat atCenter, lengthSquared;
-  float alongS, rim;
+  LaneFloat atCenter, lengthSquared, alongS, rim;
 } Rows;
+
+inline Rows rowsAt(FaceComponents components, LaneFloat t, LaneFloat rim) {
+  const Rows rows = {components.major + t * components.alongT, 1.0f + t * t, components.alongS, rim};
+  return rows;
+}
 
 inline LaneInt isBlocked(Rows rows, LaneInt column) {
   const LaneFloat s = centerCoordinate(column);
@@ -108,7 +99,7 @@ inline LaneInt nearestColumn(Rows rows) {
     const LaneFloat border = TO_LANE_FLOAT(column + step - 16) * 0.0625f * rows.atCenter;
     column = select(column, column + step, place >= border);
   }
-  const LaneInt end = rows.alongS > 0.0f ? FACE_SIZE - 1 : 0;
+  const LaneInt end = select((LaneInt)0, (LaneInt)(FACE_SIZE - 1), (LaneInt)(rows.alongS > 0.0f));
   return select(end, column, rows.atCenter > 0.0f);
 }
 
@@ -147,10 +138,10 @@ inline LaneFloat inverseRoot(LaneFloat x) {
 // The ends from the roots of (c.D)^2 = |c|^2 rim, a quadratic in s. Rounding may put them into a
 // wrong column, so they count only where the test itself agrees on both sides of them. Where products
 // could leave float32, or the cap holds the face's s axis, ends are found by bisection.
-inline LaneUint rowBits(Rows rows) {
-  const float leading = rows.rim - rows.alongS * rows.alongS;
-  if (!(leading > 1e-10f && rows.rim < 1e15f)) return rowBitsByBisection(rows);
-  const LaneFloat inverseOfRoot = inverseRoot((LaneFloat)leading);
+inline LaneUint endsOfRow(Rows rows) {
+  const LaneFloat leading = rows.rim - rows.alongS * rows.alongS;
+  const LaneInt safe = (leading > 1e-10f) & (rows.rim < 1e15f);
+  const LaneFloat inverseOfRoot = inverseRoot(leading);
   const LaneFloat scale = 16.0f * inverseOfRoot * inverseOfRoot;  // columns per s, over leading
   const LaneFloat discriminant =
       rows.rim * (rows.atCenter * rows.atCenter - rows.lengthSquared * leading);
@@ -168,47 +159,78 @@ inline LaneUint rowBits(Rows rows) {
                 after = (last < FACE_SIZE - 1) & isBlocked(rows, last + 1);
   const LaneInt empty = first > last;
   const LaneInt wrong = select(!(atFirst & atLast & !before & !after), atFirst | atLast, empty);
-  if (ANY_LANE(wrong)) return rowBitsByBisection(rows);
+  if (ANY_LANE(wrong | !safe)) return rowBitsByBisection(rows);
   return select(columnBits(first, last), (LaneUint)0, empty);
 }
 
-HAARLIGHT_KERNEL void mergeBitCubesExactly(__global const float4* restrict positions,
-                                           __global const float4* restrict normals,
-                                           __global const float4* restrict spheres,
-                                           const uint sphereCount,
-                                           __global uint* restrict bitCubes) {
-  SAMPLE_LOCAL(float, caps, CAP_FLOATS);
-  SAMPLE_LOCAL(uint, faces, LANES);
-  const size_t sample = SAMPLE;
-  const float4 position = positions[sample], normal = normals[sample];
+inline LaneUint rowBits(Rows rows) {
+  const LaneInt mayBe = mayBeBlocked(rows);
+  return ANY_LANE(mayBe) ? select((LaneUint)0, endsOfRow(rows), mayBe) : (LaneUint)0;
+}
 
-  LaneUint blocked[FACES][LANE_VECTORS];
-  for (uint face = 0; face < FACES; ++face)
-    for (uint vector = 0; vector < LANE_VECTORS; ++vector) blocked[face][vector] = 0;
+#if LANES_PER_ITEM == 1
+// Caps and the faces they reach.
+#define CAP_FLOATS (5 * LANES)
 
+// The union for one sample; `room` is for CAP_FLOATS numbers.
+inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphereCount,
+                      __local float* room, __local uint* rows) {
+  const uint stride = sphereStride(sphereCount);
+  clearRows(rows);
   for (uint first = 0; first < sphereCount; first += LANES) {
-    findCaps(spheres, sphereCount, first, position, normal, caps, faces);
+    const Caps own = capsOf(seeSpheres(tile, spheres, stride, first));
+    room[FIRST_LANE] = own.x;
+    room[FIRST_LANE + LANES] = own.y;
+    room[FIRST_LANE + 2 * LANES] = own.z;
+    room[FIRST_LANE + 3 * LANES] = own.rim;
+    room[FIRST_LANE + 4 * LANES] = as_float(reachedFaces(own.x, own.y, own.z, own.rim));
     LANE_BARRIER();
-    for (uint i = 0; i < min((uint)LANES, sphereCount - first); ++i) {
-      const float4 cap = (float4)(caps[i], caps[i + LANES], caps[i + 2 * LANES], 0.0f);
-      const float rim = caps[i + 3 * LANES];
-      for (uint reached = faces[i]; reached; reached &= reached - 1) {
-        const uint face = 31 - clz(reached & -reached);
-        const float4 d = onFace(face, cap);
-        for (uint vector = 0; vector < LANE_VECTORS; ++vector) {
-          const LaneFloat t = centerCoordinate(LANE_NUMBERS(vector));
-          const Rows rows = {d.x + t * d.z, 1.0f + t * t, d.y, rim};
-          const LaneInt mayBe = mayBeBlocked(rows);
-          if (ANY_LANE(mayBe))
-            blocked[face][vector] |= select((LaneUint)0, rowBits(rows), mayBe);
-        }
-      }
+    const uint count = min((uint)LANES, sphereCount - first);
+    for (uint i = 0; i < count; ++i) {
+      const Caps caps = {room[i], room[i + LANES], room[i + 2 * LANES], room[i + 3 * LANES]};
+      const uint faces = as_uint(room[i + 4 * LANES]);
+      for (uint face = 0; face < FACES; ++face)
+        if (faces >> face & 1)
+          rows[face * FACE_SIZE + FIRST_LANE] |=
+              rowBits(rowsAt(onFace(face, caps), centerCoordinate(FIRST_LANE), caps.rim));
     }
     LANE_BARRIER();
   }
+  return ALL_GROUPS;
+}
+#else
+#define CAP_FLOATS 1
 
-  __global uint* ownRows = bitCubes + sample * BIT_CUBE_ROWS;
-  for (uint face = 0; face < FACES; ++face)
-    for (uint vector = 0; vector < LANE_VECTORS; ++vector)
-      STORE_LANES(blocked[face][vector], ownRows + face * FACE_SIZE + 16 * vector);
+// The unions for a tile, row by row: row * 16 + sample.
+inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphereCount,
+                      __local float* room, __local uint* rows) {
+  const uint stride = sphereStride(sphereCount);
+  uint occupied = 0;
+  clearRows(rows);
+  for (uint sphere = 0; sphere < sphereCount; ++sphere) {
+    const Caps caps = capsOf(seeSphere(tile, spheres, stride, sphere));
+    uint reached = joinElements(TO_LANE_UINT(reachedFaces(caps.x, caps.y, caps.z, caps.rim)));
+    for (; reached; reached &= reached - 1) {
+      const uint face = 31 - clz(reached & -reached);
+      const FaceComponents components = onFace(face, caps);
+      occupied |= 3u << 2 * face;
+      for (uint row = 0; row < FACE_SIZE; ++row)
+        ((__local LaneUint*)rows)[face * FACE_SIZE + row] |=
+            rowBits(rowsAt(components, centerCoordinate((LaneInt)row), caps.rim));
+    }
+  }
+  return occupied;
+}
+#endif
+
+HAARLIGHT_KERNEL void mergeBitCubesExactly(__global const float4* restrict positions,
+                                           __global const float4* restrict normals,
+                                           __global const float* restrict spheres,
+                                           const uint sphereCount,
+                                           __global uint* restrict bitCubes) {
+  SAMPLE_LOCAL(float, room, CAP_FLOATS);
+  SAMPLE_LOCAL(uint, rows, TILE * BIT_CUBE_ROWS);
+  const Tile tile = loadTile(positions, normals);
+  mergeCaps(&tile, spheres, sphereCount, room, rows);
+  storeRowsOfTile(rows, bitCubes + FIRST_OF_TILE * BIT_CUBE_ROWS);
 }

@@ -3,18 +3,23 @@
 
 HAARLIGHT_KERNEL void sphereTableEntries(__global const float4* restrict positions,
                                          __global const float4* restrict normals,
-                                         __global const float4* restrict spheres,
+                                         __global const float* restrict spheres,
                                          const uint sphereCount,
                                          __global uint* restrict tableEntries) {
-  SAMPLE_LOCAL(float, seen, 4 * LANES);
-  SAMPLE_LOCAL(uint, entries, LANES);
-  const size_t sample = SAMPLE;
-  const float4 position = positions[sample], normal = normals[sample];
-
+  const Tile tile = loadTile(positions, normals);
+  const uint stride = sphereStride(sphereCount);
+#if LANES_PER_ITEM == 1
   for (uint first = 0; first < sphereCount; first += LANES) {
-    findTableEntries(spheres, sphereCount, first, position, normal, seen, entries);
-    FOR_EACH_LANE(lane)
-      if (first + lane < sphereCount)
-        tableEntries[sample * sphereCount + first + lane] = entries[lane];
+    const uint entry = tableEntry(seeSpheres(&tile, spheres, stride, first));
+    if (first + FIRST_LANE < sphereCount)
+      tableEntries[FIRST_OF_TILE * sphereCount + first + FIRST_LANE] = entry;
   }
+#else
+  SAMPLE_LOCAL(uint, entries, TILE);
+  for (uint sphere = 0; sphere < sphereCount; ++sphere) {
+    STORE_LANES(tableEntry(seeSphere(&tile, spheres, stride, sphere)), entries);
+    for (uint sample = 0; sample < TILE; ++sample)
+      tableEntries[(FIRST_OF_TILE + sample) * sphereCount + sphere] = entries[sample];
+  }
+#endif
 }

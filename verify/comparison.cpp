@@ -73,8 +73,10 @@ void SubjectComparison::compare(const Question& question, const Answers& answers
   if (value.binding.sphereCount() > 0) compareMovedSpheres(value, answers);
   if (visibility_ == VisibilityKind::table) compareEntries(value, answers);
   compareOcclusion(value, answers);
-  for (std::size_t i = 0; i < question.tables.size(); ++i)
+  for (std::size_t i = 0; i < question.tables.size(); ++i) {
     compareSums(value, question.tables[i], answers, answers.radiance[i]);
+    compareFused(value, question.tables[i], answers.radiance[i]);
+  }
   compareFrame(value, question.tables[question.frameTables], answers);
 }
 
@@ -111,10 +113,21 @@ void SubjectComparison::compareSums(const Case& value, const ShadingTables& tabl
   sums.compareRadiance(value, expected, radiance, brightest(tables));
 }
 
+void SubjectComparison::compareFused(const Case& value, const ShadingTables& tables,
+                                     std::span<const glm::vec4> expected) {
+  Tally& fused = tallyOf(Stage::fused, nameOf(tables.settings));
+  engine_->setShading(tables);
+  engine_->setFramePath(FramePath::fused);
+  const auto radiance =
+      timed(fused, [&] { return engine_->shade(value.spheres, value.receivers); });
+  fused.compareRadiance(value, expected, radiance, brightest(tables));
+}
+
 void SubjectComparison::compareFrame(const Case& value, const ShadingTables& tables,
                                      const Answers& answers) {
   Tally& frame = tallyOf(Stage::frame, "");
   engine_->setShading(tables);
+  engine_->setFramePath(FramePath::staged);
   const auto radiance =
       timed(frame, [&] { return engine_->shade(value.spheres, value.receivers); });
   frame.compareRadiance(value, answers.frame, radiance, brightest(tables));

@@ -38,6 +38,8 @@ class SubjectComparison {
   void compareOcclusion(const Case& value, const Answers& answers);
   void compareSums(const Case& value, const ShadingTables& tables, const Answers& answers,
                    std::span<const glm::vec4> expected);
+  void compareFused(const Case& value, const ShadingTables& tables,
+                    std::span<const glm::vec4> expected);
   void compareFrame(const Case& value, const ShadingTables& tables, const Answers& answers);
   template <typename Action>
   auto timed(Tally& tally, const Action& action);

@@ -24,12 +24,6 @@ struct FrameTimes {
   double total = 0;
 };
 
-StageTimes operator-(const StageTimes& a, const StageTimes& b) {
-  return {a.upload - b.upload,       a.merge - b.merge,
-          a.transform - b.transform, a.tripleProduct - b.tripleProduct,
-          a.readBack - b.readBack,   a.total - b.total};
-}
-
 nlohmann::ordered_json describe(const FrameTimes& times) {
   return {{"total", times.total},
           {"meshes", times.show.meshes},

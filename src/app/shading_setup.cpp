@@ -91,13 +91,8 @@ ImageAttributes ShadingSetup::attributes(const RadianceMethod& method) const {
 
 nlohmann::ordered_json describeStages(const StageTimes& times) {
   nlohmann::ordered_json stages{{"total", times.total}};
-  if (times.merge > 0) {
-    stages["upload"] = times.upload;
-    stages["merge"] = times.merge;
-    stages["transform"] = times.transform;
-    stages["triple_product"] = times.tripleProduct;
-    stages["read_back"] = times.readBack;
-  }
+  for (const NamedStage& stage : namedStages)
+    if (times.*stage.seconds > 0) stages[stage.name] = times.*stage.seconds;
   return stages;
 }
 

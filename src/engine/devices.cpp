@@ -25,10 +25,11 @@ std::unique_ptr<Engine> openEngine(const EngineOptions& options,
                                    std::shared_ptr<const SphereTable> table) {
   if (options.engine == "reference") return makeReferenceEngine(std::move(table));
   if (options.engine == "opencl")
-    return makeKernelEngine(openOpenClDevice(options), std::move(table));
-  if (options.engine == "cuda") return makeKernelEngine(openCudaDevice(options), std::move(table));
+    return makeKernelEngine(openOpenClDevice(options), std::move(table), options.path);
+  if (options.engine == "cuda")
+    return makeKernelEngine(openCudaDevice(options), std::move(table), options.path);
   if (options.engine == "cuda-host")
-    return makeKernelEngine(openCudaHostDevice(options), std::move(table));
+    return makeKernelEngine(openCudaHostDevice(options), std::move(table), options.path);
   throw InputError("unknown engine '" + options.engine +
                    "': use auto, reference, opencl, cuda or cuda-host");
 }

@@ -49,6 +49,7 @@ struct EngineOptions {
   /// How samples are spread over work-items; 0: what suits the device. CUDA has one lane an item.
   int lanesPerItem = 0;
   int samplesPerGroup = 0;
+  FramePath path = FramePath::fused;
   /// Whether the device has to pass the self test (engine/self_test.h).
   bool selfTest = true;
   /// Told in words of every device that "auto" passes over because it failed.

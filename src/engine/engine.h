@@ -9,23 +9,13 @@
 #include "cube/bit_cube.h"
 #include "engine/receivers.h"
 #include "engine/shading_tables.h"
+#include "engine/stage_times.h"
 #include "haar/occlusion_transform.h"
 #include "visibility/sphere.h"
 #include "visibility/sphere_binding.h"
 #include "visibility/sphere_table.h"
 
 namespace haarlight {
-
-/// Seconds spent in each step of one shade() call, summed over batches.
-struct StageTimes {
-  double upload = 0;
-  double merge = 0;
-  double transform = 0;
-  double tripleProduct = 0;
-  double readBack = 0;
-  /// From call to return.
-  double total = 0;
-};
 
 /// What an engine takes of its device.
 struct DeviceUse {
@@ -49,7 +39,8 @@ struct DeviceUse {
 /// transform:      bit cubes → occlusion in the Haar basis
 /// triple product: occlusion, light, lobes → radiance
 ///
-/// shade() runs all three without anything leaving the device in between. The other calls run
+/// shade() runs all three without anything leaving the device in between, as three kernels or fused
+/// into one. The other calls run
 /// single steps and bring their results back, so that engines can be compared stage by stage
 /// (verify/). All engines give the same bits (docs/numerics.md).
 class Engine {
@@ -89,6 +80,9 @@ class Engine {
   /// Radiance (RGB, 0) of white receivers with these occlusions and lobes.
   virtual std::vector<glm::vec4> tripleProduct(std::span<const OcclusionHaar> occlusion,
                                                std::span<const LobeBlend> lobes) = 0;
+
+  /// How the following shade() calls compute; an engine with one path ignores it.
+  virtual void setFramePath(FramePath) {}
 
   /// Radiance (RGB, 0) of white receivers: multiply by the albedo.
   virtual std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,

@@ -39,6 +39,7 @@ class ForwardingEngine : public Engine {
                                        std::span<const LobeBlend> lobes) override {
     return engine_->tripleProduct(occlusion, lobes);
   }
+  void setFramePath(FramePath path) override { engine_->setFramePath(path); }
   std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                StageTimes* times) override {
     return engine_->shade(spheres, receivers, times);

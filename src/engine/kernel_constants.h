@@ -3,6 +3,7 @@
 /// The constants that kernels share with the host, by the names kernels know them by. OpenCL gets
 /// them as #defines before its source, CUDA as constexpr values.
 
+#include "engine/kernel_device.h"
 #include "engine/shading_tables.h"
 #include "haar/occlusion_transform.h"
 #include "visibility/sphere_bin.h"
@@ -19,5 +20,8 @@
   CONSTANT(COARSE_MEANS, haarlight::coarseMeansPerFace)                \
   CONSTANT(BLOCKS, haarlight::blockCount)                              \
   CONSTANT(BLOCKS_PER_FACE, haarlight::blocksPerFace)                  \
-  CONSTANT(BLOCKS_PER_SIDE, haarlight::blocksPerSide)
+  CONSTANT(BLOCKS_PER_SIDE, haarlight::blocksPerSide)                  \
+  CONSTANT(TILE_SAMPLES, haarlight::tileSamples)                       \
+  CONSTANT(TEXEL_WEIGHTS, 3 * haarlight::texelCount)                   \
+  CONSTANT(ABSENT_SQUARE, haarlight::ShadingTables::absentSquare)
 // clang-format on

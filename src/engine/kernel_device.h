@@ -35,13 +35,17 @@ struct KernelShape {
   int samplesPerGroup = 1;
 };
 
+/// Samples that an item with all lanes works on at a time where kernels merge.
+inline constexpr int tileSamples = 16;
+
 /// 8 samples of 32 lanes are groups of 256 work-items (method.md §9).
 inline constexpr int maximumSamplesPerGroup = 8;
 
 /// The kernels of every device.
-inline constexpr std::array<std::string_view, 6> kernelNames{
+inline constexpr std::array<std::string_view, 9> kernelNames{
     "moveSpheres",          "sphereTableEntries", "mergeBitCubes",
-    "mergeBitCubesExactly", "transformOcclusion", "tripleProduct"};
+    "mergeBitCubesExactly", "transformOcclusion", "tripleProduct",
+    "spreadWeights",        "shadeByTable",       "shadeExactly"};
 
 /// What the kernel engine (kernel_engine.h) needs of a compute API: memory, copies and launches, in
 /// order. One implementation per API; the kernels of all of them have the same names, arguments and
@@ -61,6 +65,8 @@ class KernelDevice {
   virtual double buildSeconds() const { return 0; }
   /// Receivers to work on at a time.
   virtual std::size_t batchSize() const = 0;
+  /// Lobes to keep the weights of all texels of, 72 KiB each.
+  virtual std::size_t lobeWindow() const = 0;
   virtual KernelShape shape() const = 0;
   /// Bytes of local (CUDA: shared) memory that a work-group of a kernel takes; nothing where the
   /// API does not say.

@@ -15,14 +15,35 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Receivers that the fused path works on at a time; they leave nothing but their radiance.
+constexpr std::size_t fusedBatch = 1 << 16;
+
+/// Weights of all texels for one lobe.
+constexpr std::size_t texelWeightBytes = texelCount * sizeof(glm::uvec3);
+
 std::size_t roundedUp(std::size_t count, std::size_t multiple) {
   return (count + multiple - 1) / multiple * multiple;
+}
+
+/// Receivers whose normals are all tabulated ones need one lobe each.
+std::uint32_t lobesPerReceiver(std::span<const LobeBlend> lobes) {
+  const bool single =
+      std::ranges::all_of(lobes, [](const LobeBlend& b) { return b.weights[1] == 0; });
+  return single ? 1 : 3;
 }
 
 /// Tables of one light on the device.
 struct DeviceTables {
   glm::uvec4 squareListEnds{0};
-  GrowingBuffer lobeSlots, squarePlaces, weights, unshadowed, scales;
+  GrowingBuffer lobeSlots, squarePlaces, blockSquares, weights, unshadowed, scales;
+};
+
+/// Lobes whose weights are spread over texels, on the device: those of all receivers where they
+/// fit, else those of a batch. Slots are numbered within the window.
+struct LobeWindow {
+  /// Slots of the shading tables, in order of the window's.
+  std::vector<std::uint32_t> slots;
+  GrowingBuffer slotNumbers, lobeSlots, unshadowed, scales, texelWeights;
 };
 
 /// What spheres follow, on the device.
@@ -38,7 +59,7 @@ struct BatchBuffers {
 
 class KernelEngine final : public Engine {
  public:
-  KernelEngine(std::unique_ptr<KernelDevice> device, const SphereTable* table);
+  KernelEngine(std::unique_ptr<KernelDevice> device, const SphereTable* table, FramePath path);
 
   std::string name() const override { return device_->engineName(); }
   std::string deviceName() const override { return device_->name(); }
@@ -56,6 +77,7 @@ class KernelEngine final : public Engine {
   std::vector<OcclusionHaar> transformOcclusion(std::span<const BitCube> cubes) override;
   std::vector<glm::vec4> tripleProduct(std::span<const OcclusionHaar> occlusion,
                                        std::span<const LobeBlend> lobes) override;
+  void setFramePath(FramePath path) override { path_ = path; }
   std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                StageTimes* times) override;
 
@@ -65,6 +87,7 @@ class KernelEngine final : public Engine {
   }
   template <typename Element>
   CommandSeconds upload(GrowingBuffer& buffer, std::span<const Element> data);
+  void uploadSpheres(std::span<const Sphere> spheres);
   template <typename Element>
   CommandSeconds uploadSamples(GrowingBuffer& buffer, std::span<const Element> data);
   template <typename Element>
@@ -74,31 +97,50 @@ class KernelEngine final : public Engine {
   CommandSeconds launch(std::string_view kernel, std::size_t samples,
                         const std::array<KernelArgument, count>& arguments);
 
+  template <std::size_t count>
+  CommandSeconds launchTiles(std::string_view kernel, std::size_t samples,
+                             const std::array<KernelArgument, count>& arguments) {
+    return launch(kernel, roundedUp(samples, tileSamples_) / tileSamples_, arguments);
+  }
+
   CommandSeconds launchMerge(std::size_t spheres, std::size_t samples);
   CommandSeconds launchTransform(std::size_t samples);
   CommandSeconds launchTripleProduct(std::span<const LobeBlend> lobes);
-  void shadeBatch(std::size_t spheres, ReceiverSpan receivers, std::span<glm::vec4> radiance,
+  void shadeStaged(std::size_t spheres, ReceiverSpan receivers, std::span<glm::vec4> radiance,
+                   StageTimes& times);
+  std::vector<std::uint32_t> slotsOf(std::span<const LobeBlend> lobes) const;
+  CommandSeconds openWindow(std::vector<std::uint32_t> slots);
+  CommandSeconds launchFused(std::size_t spheres, std::span<const LobeBlend> lobes);
+  void shadeFused(std::size_t spheres, ReceiverSpan receivers, std::span<glm::vec4> radiance,
                   StageTimes& times);
   void warmUp();
 
   std::unique_ptr<KernelDevice> device_;
   std::size_t samplesPerGroup_;
+  /// Samples of an item where kernels merge.
+  std::size_t tileSamples_;
   bool usesTable_;
+  FramePath path_;
   std::uint64_t allocatedBytes_ = 0;
-  GrowingBuffer sphereTable_, occupiedFaces_, spheres_, tableEntries_;
+  GrowingBuffer tableEntries_, tableGroups_, spheres_, foundEntries_;
   BatchBuffers batch_;
+  ShadingTables shading_;
   DeviceTables tables_;
+  LobeWindow window_;
   DeviceBinding binding_;
   double preparationSeconds_ = 0;
 };
 
-KernelEngine::KernelEngine(std::unique_ptr<KernelDevice> device, const SphereTable* table)
+KernelEngine::KernelEngine(std::unique_ptr<KernelDevice> device, const SphereTable* table,
+                           FramePath path)
     : device_(std::move(device)),
       samplesPerGroup_(std::size_t(device_->shape().samplesPerGroup)),
-      usesTable_(table != nullptr) {
+      tileSamples_(device_->shape().lanesPerItem > 1 ? std::size_t(tileSamples) : 1),
+      usesTable_(table != nullptr),
+      path_(path) {
   if (table) {
-    upload(sphereTable_, table->words());
-    upload(occupiedFaces_, table->occupiedFaces());
+    upload(tableEntries_, table->entries());
+    upload(tableGroups_, table->groups());
   }
   const auto start = Clock::now();
   warmUp();
@@ -135,11 +177,24 @@ CommandSeconds KernelEngine::upload(GrowingBuffer& buffer, std::span<const Eleme
   return device_->write(room(buffer, data.size_bytes()), std::as_bytes(data));
 }
 
+/// Uploads the spheres as kernels read them: x, y, z, radius of all, one after the other, padded to
+/// a multiple of 32 with the last sphere.
+void KernelEngine::uploadSpheres(std::span<const Sphere> spheres) {
+  const std::size_t stride = roundedUp(spheres.size(), partialSums);
+  std::vector<float> numbers(4 * stride);
+  for (std::size_t i = 0; i < stride; ++i) {
+    const Sphere& sphere = spheres[std::min(i, spheres.size() - 1)];
+    for (int axis = 0; axis < 3; ++axis) numbers[axis * stride + i] = sphere.center[axis];
+    numbers[3 * stride + i] = sphere.radius;
+  }
+  upload(spheres_, std::span<const float>(numbers));
+}
+
 /// Uploads one element per sample. Work-groups are full, so the last group's missing samples are
 /// zeros, and nobody reads their results.
 template <typename Element>
 CommandSeconds KernelEngine::uploadSamples(GrowingBuffer& buffer, std::span<const Element> data) {
-  const std::size_t count = roundedUp(data.size(), samplesPerGroup_);
+  const std::size_t count = roundedUp(data.size(), samplesPerGroup_ * tileSamples_);
   if (count == data.size()) return upload(buffer, data);
   std::vector<Element> padded(count);
   std::ranges::copy(data, padded.begin());
@@ -153,7 +208,7 @@ CommandSeconds KernelEngine::download(const GrowingBuffer& buffer, std::span<Ele
 
 KernelArgument KernelEngine::roomFor(GrowingBuffer& buffer, std::size_t samples,
                                      std::size_t bytesEach) {
-  return &room(buffer, roundedUp(samples, samplesPerGroup_) * bytesEach);
+  return &room(buffer, roundedUp(samples, samplesPerGroup_ * tileSamples_) * bytesEach);
 }
 
 template <std::size_t count>
@@ -167,10 +222,10 @@ CommandSeconds KernelEngine::launchMerge(std::size_t spheres, std::size_t sample
   const auto count = std::uint32_t(spheres);
   const KernelArgument cubes = roomFor(batch_.bitCubes, samples, sizeof(BitCube));
   if (usesTable_)
-    return launch("mergeBitCubes", samples,
-                  std::array<KernelArgument, 7>{batch_.positions, batch_.normals, spheres_, count,
-                                                sphereTable_, occupiedFaces_, cubes});
-  return launch(
+    return launchTiles("mergeBitCubes", samples,
+                       std::array<KernelArgument, 7>{batch_.positions, batch_.normals, spheres_,
+                                                     count, tableEntries_, tableGroups_, cubes});
+  return launchTiles(
       "mergeBitCubesExactly", samples,
       std::array<KernelArgument, 5>{batch_.positions, batch_.normals, spheres_, count, cubes});
 }
@@ -185,23 +240,23 @@ CommandSeconds KernelEngine::launchTransform(std::size_t samples) {
 }
 
 CommandSeconds KernelEngine::launchTripleProduct(std::span<const LobeBlend> lobes) {
-  const bool single =
-      std::ranges::all_of(lobes, [](const LobeBlend& b) { return b.weights[1] == 0; });
-  const std::uint32_t lobesPerReceiver = single ? 1 : 3;
-  return launch(
-      "tripleProduct", lobes.size(),
-      std::array<KernelArgument, 12>{
-          batch_.coefficients, batch_.means, batch_.blocks, batch_.lobes, lobesPerReceiver,
-          tables_.lobeSlots, tables_.squareListEnds, tables_.squarePlaces, tables_.weights,
-          tables_.unshadowed, tables_.scales,
-          roomFor(batch_.radiance, lobes.size(), sizeof(glm::vec4))});
+  return launch("tripleProduct", lobes.size(),
+                std::array<KernelArgument, 12>{
+                    batch_.coefficients, batch_.means, batch_.blocks, batch_.lobes,
+                    lobesPerReceiver(lobes), tables_.lobeSlots, tables_.squareListEnds,
+                    tables_.squarePlaces, tables_.weights, tables_.unshadowed, tables_.scales,
+                    roomFor(batch_.radiance, lobes.size(), sizeof(glm::vec4))});
 }
 
 void KernelEngine::setShading(const ShadingTables& tables) {
+  shading_ = tables;
+  shading_.weights = {};  // on the device only
+  window_.slots.clear();
   const auto& ends = tables.squareListEnds;
   tables_.squareListEnds = {ends[coarseSquares], ends[blockSquares], ends[quarterSquares], 0};
   upload(tables_.lobeSlots, std::span(tables.lobeSlots));
   upload(tables_.squarePlaces, std::span(tables.squarePlaces));
+  upload(tables_.blockSquares, std::span(tables.blockSquares));
   upload(tables_.weights, std::span(tables.weights));
   upload(tables_.unshadowed, std::span(tables.unshadowed));
   upload(tables_.scales, std::span(tables.scales));
@@ -233,14 +288,14 @@ std::vector<std::uint32_t> KernelEngine::sphereTableEntries(std::span<const Sphe
                                                             ReceiverSpan receivers) {
   std::vector<std::uint32_t> entries(receivers.size() * spheres.size());
   if (entries.empty()) return entries;
-  upload(spheres_, spheres);
+  uploadSpheres(spheres);
   uploadSamples(batch_.positions, receivers.positions);
   uploadSamples(batch_.normals, receivers.normals);
-  launch("sphereTableEntries", receivers.size(),
-         std::array<KernelArgument, 5>{
-             batch_.positions, batch_.normals, spheres_, std::uint32_t(spheres.size()),
-             roomFor(tableEntries_, receivers.size(), spheres.size() * sizeof entries[0])});
-  download(tableEntries_, std::span(entries));
+  launchTiles("sphereTableEntries", receivers.size(),
+              std::array<KernelArgument, 5>{
+                  batch_.positions, batch_.normals, spheres_, std::uint32_t(spheres.size()),
+                  roomFor(foundEntries_, receivers.size(), spheres.size() * sizeof entries[0])});
+  download(foundEntries_, std::span(entries));
   return entries;
 }
 
@@ -248,7 +303,7 @@ std::vector<BitCube> KernelEngine::mergeBitCubes(std::span<const Sphere> spheres
                                                  ReceiverSpan receivers) {
   std::vector<BitCube> cubes(receivers.size());
   if (cubes.empty()) return cubes;
-  upload(spheres_, spheres);
+  uploadSpheres(spheres);
   uploadSamples(batch_.positions, receivers.positions);
   uploadSamples(batch_.normals, receivers.normals);
   launchMerge(spheres.size(), receivers.size());
@@ -294,8 +349,82 @@ std::vector<glm::vec4> KernelEngine::tripleProduct(std::span<const OcclusionHaar
   return radiance;
 }
 
-void KernelEngine::shadeBatch(std::size_t spheres, ReceiverSpan receivers,
+/// Slots that the receivers' lobes have weight in.
+std::vector<std::uint32_t> KernelEngine::slotsOf(std::span<const LobeBlend> lobes) const {
+  std::vector<bool> used(shading_.slotCount());
+  for (const LobeBlend& blend : lobes)
+    for (int i = 0; i < 3; ++i)
+      if (blend.weights[i] != 0) used[shading_.lobeSlots[blend.lobes[i]]] = true;
+  std::vector<std::uint32_t> slots;
+  for (std::uint32_t slot = 0; slot < used.size(); ++slot)
+    if (used[slot]) slots.push_back(slot);
+  return slots;
+}
+
+/// Lobes beyond the window share its first slot; their receivers are not in the batch.
+CommandSeconds KernelEngine::openWindow(std::vector<std::uint32_t> slots) {
+  std::vector<std::uint32_t> numbers(shading_.slotCount());
+  std::vector<glm::uvec4> unshadowed;
+  std::vector<glm::vec4> scales;
+  for (std::uint32_t i = 0; i < slots.size(); ++i) {
+    numbers[slots[i]] = i;
+    unshadowed.push_back(shading_.unshadowed[slots[i]]);
+    scales.push_back(shading_.scales[slots[i]]);
+  }
+  std::vector<std::uint32_t> lobeSlots(lobeCount);
+  for (int lobe = 0; lobe < lobeCount; ++lobe) lobeSlots[lobe] = numbers[shading_.lobeSlots[lobe]];
+  upload(window_.lobeSlots, std::span<const std::uint32_t>(lobeSlots));
+  upload(window_.unshadowed, std::span<const glm::uvec4>(unshadowed));
+  upload(window_.scales, std::span<const glm::vec4>(scales));
+  uploadSamples(window_.slotNumbers, std::span<const std::uint32_t>(slots));
+  window_.slots = std::move(slots);
+  return launch("spreadWeights", window_.slots.size(),
+                std::array<KernelArgument, 5>{
+                    window_.slotNumbers, std::uint32_t(shading_.squareCount()), tables_.weights,
+                    tables_.blockSquares,
+                    roomFor(window_.texelWeights, window_.slots.size(), texelWeightBytes)});
+}
+
+CommandSeconds KernelEngine::launchFused(std::size_t spheres, std::span<const LobeBlend> lobes) {
+  const auto count = std::uint32_t(spheres);
+  const KernelArgument radiance = roomFor(batch_.radiance, lobes.size(), sizeof(glm::vec4));
+  if (usesTable_)
+    return launchTiles("shadeByTable", lobes.size(),
+                       std::array<KernelArgument, 13>{
+                           batch_.positions, batch_.normals, batch_.lobes, spheres_, count,
+                           tableEntries_, tableGroups_, lobesPerReceiver(lobes), window_.lobeSlots,
+                           window_.texelWeights, window_.unshadowed, window_.scales, radiance});
+  return launchTiles("shadeExactly", lobes.size(),
+                     std::array<KernelArgument, 11>{batch_.positions, batch_.normals, batch_.lobes,
+                                                    spheres_, count, lobesPerReceiver(lobes),
+                                                    window_.lobeSlots, window_.texelWeights,
+                                                    window_.unshadowed, window_.scales, radiance});
+}
+
+/// Halves batches whose lobes do not fit into a window.
+void KernelEngine::shadeFused(std::size_t spheres, ReceiverSpan receivers,
                               std::span<glm::vec4> radiance, StageTimes& times) {
+  auto slots = slotsOf(receivers.lobes);
+  if (slots.size() > device_->lobeWindow()) {
+    const std::size_t half = receivers.size() / 2;
+    shadeFused(spheres, receivers.part(0, half), radiance.first(half), times);
+    shadeFused(spheres, receivers.part(half, receivers.size() - half), radiance.subspan(half),
+               times);
+    return;
+  }
+  std::vector<CommandSeconds> kernels;
+  if (!std::ranges::includes(window_.slots, slots)) kernels.push_back(openWindow(std::move(slots)));
+  const std::array uploads{uploadSamples(batch_.positions, receivers.positions),
+                           uploadSamples(batch_.normals, receivers.normals),
+                           uploadSamples(batch_.lobes, receivers.lobes)};
+  kernels.push_back(launchFused(spheres, receivers.lobes));
+  times.readBack += download(batch_.radiance, radiance)();
+  for (const CommandSeconds& seconds : uploads) times.upload += seconds();
+  for (const CommandSeconds& seconds : kernels) times.fused += seconds();
+}
+
+void KernelEngine::shadeStaged(std::size_t spheres, ReceiverSpan receivers,
+                               std::span<glm::vec4> radiance, StageTimes& times) {
   const std::array uploads{uploadSamples(batch_.positions, receivers.positions),
                            uploadSamples(batch_.normals, receivers.normals),
                            uploadSamples(batch_.lobes, receivers.lobes)};
@@ -314,13 +443,18 @@ std::vector<glm::vec4> KernelEngine::shade(std::span<const Sphere> spheres, Rece
   StageTimes ignored;
   StageTimes& stages = times ? *times : ignored;
   const auto start = Clock::now();
-  upload(spheres_, spheres);
+  uploadSpheres(spheres);
   std::vector<glm::vec4> radiance(receivers.size());
-  const std::size_t batch = device_->batchSize();
+  const bool fused = path_ == FramePath::fused;
+  const std::size_t batch = fused ? fusedBatch : device_->batchSize();
   for (std::size_t first = 0; first < receivers.size(); first += batch) {
     const std::size_t count = std::min(batch, receivers.size() - first);
-    shadeBatch(spheres.size(), receivers.part(first, count),
-               std::span(radiance).subspan(first, count), stages);
+    const auto part = receivers.part(first, count);
+    const auto out = std::span(radiance).subspan(first, count);
+    if (fused)
+      shadeFused(spheres.size(), part, out, stages);
+    else
+      shadeStaged(spheres.size(), part, out, stages);
   }
   stages.total += secondsSince(start);
   return radiance;
@@ -329,8 +463,8 @@ std::vector<glm::vec4> KernelEngine::shade(std::span<const Sphere> spheres, Rece
 }  // namespace
 
 std::unique_ptr<Engine> makeKernelEngine(std::unique_ptr<KernelDevice> device,
-                                         std::shared_ptr<const SphereTable> table) {
-  return std::make_unique<KernelEngine>(std::move(device), table.get());
+                                         std::shared_ptr<const SphereTable> table, FramePath path) {
+  return std::make_unique<KernelEngine>(std::move(device), table.get(), path);
 }
 
 }  // namespace haarlight

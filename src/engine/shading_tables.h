@@ -53,7 +53,7 @@ struct ShadingTables {
   std::vector<glm::uvec4> unshadowed;
   std::vector<glm::vec4> scales;
 
-  static constexpr std::uint32_t absentSquare = ~0u;
+  static constexpr std::uint32_t absentSquare = 0x7fffffff;
 
   std::size_t squareCount() const { return squarePlaces.size(); }
   std::size_t slotCount() const { return unshadowed.size(); }

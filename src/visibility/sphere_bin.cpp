@@ -18,12 +18,13 @@ FaceFloat faceOf(const glm::vec3& d) {
   return {d.z > 0 ? 4 : 5, d.z > 0 ? d.x : -d.x, -d.y, z};
 }
 
-/// Largest column (or row) whose lower border (column − 16)/16 · major is not above `coordinate`.
+/// Largest column (or row) whose lower border (column − 16) · major/16 is not above `coordinate`.
 int texelOf(float coordinate, float major) {
-  int column = 0;
-  for (int step = 16; step > 0; step /= 2)
-    if (coordinate >= float(column + step - 16) * 0.0625f * major) column += step;
-  return column;
+  const float sixteenth = 0.0625f * major;
+  float place = -16;
+  for (float step = 16; step >= 1; step *= 0.5f)
+    if (coordinate >= (place + step) * sixteenth) place += step;
+  return int(place) + 16;
 }
 
 }  // namespace
@@ -39,13 +40,14 @@ int radiusBin(const glm::vec3& d, float radius, const glm::vec3& normal) {
   const float height = (d.x * normal.x + d.y * normal.y) + d.z * normal.z;
   const float depth = std::fmin(height, 0.0f);  // below the tangent plane, or 0
   const float limit = horizonFactor * depth * depth;
-  int bin = 0;
-  for (int step = 16; step > 0; step /= 2) {
-    const float bound = radiusBinBound(bin + step);
-    if (radiusSquared >= bound * distanceSquared && limit <= (1 - bound) * distanceSquared)
-      bin += step;
+  const float reach = std::fmin(radiusSquared, distanceSquared - limit);
+  const float unit = 0x1p-15f * distanceSquared;
+  float bin = 0;
+  for (float step = 16; step >= 1; step *= 0.5f) {
+    const float next = bin + step;
+    if (next * next * next * unit <= reach) bin = next;
   }
-  return bin;
+  return int(bin);
 }
 
 int sphereTableEntry(const Sphere& sphere, const glm::vec3& samplePosition,

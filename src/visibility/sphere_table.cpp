@@ -1,5 +1,7 @@
 #include "visibility/sphere_table.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -36,11 +38,11 @@ std::uint32_t rowMask(const float* cosines, float threshold) {
   return mask;
 }
 
-/// All radii of one direction. Along the radii masks only grow, so a row is left as soon as it is
-/// empty at the largest remaining radius.
-void buildDirection(const std::vector<glm::dvec3>& directions, int direction, Words& words) {
+/// The masks of one direction, by radius bin. Along the radii masks only grow, so a row is left as
+/// soon as it is empty at the largest remaining radius.
+std::vector<BitCube> masksOf(const std::vector<glm::dvec3>& directions, int direction) {
   static const auto thresholds = radiusBinCosines();
-  const std::size_t first = std::size_t(direction) * radiusBins * bitCubeRows;
+  std::vector<BitCube> masks(radiusBins);
   for (int row = 0; row < bitCubeRows; ++row) {
     float cosines[faceSize];
     for (int column = 0; column < faceSize; ++column)
@@ -48,76 +50,124 @@ void buildDirection(const std::vector<glm::dvec3>& directions, int direction, Wo
     for (int bin = radiusBins - 1; bin >= 0; --bin) {
       const std::uint32_t mask = rowMask(cosines, thresholds[bin]);
       if (!mask) break;
-      words[first + std::size_t(bin) * bitCubeRows + row] = mask;
+      masks[bin].rows[row] = mask;
     }
   }
+  return masks;
 }
 
-std::vector<std::uint8_t> findOccupiedFaces(const Words& words) {
-  std::vector<std::uint8_t> occupied(sphereTableEntries);
-  parallelFor(sphereTableEntries, 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t entry = begin; entry < end; ++entry)
-      for (int row = 0; row < bitCubeRows; ++row)
-        if (words[entry * bitCubeRows + row]) occupied[entry] |= 1u << (row / faceSize);
-  });
+constexpr std::uint32_t groupsMask = (1u << SphereTable::groupCount) - 1;
+
+/// Appends the occupied groups of a mask; returns which they are.
+std::uint32_t appendGroups(const BitCube& mask, Words& groups) {
+  std::uint32_t occupied = 0;
+  for (int group = 0; group < SphereTable::groupCount; ++group) {
+    const auto rows =
+        std::span(mask.rows).subspan(group * SphereTable::groupRows).first(SphereTable::groupRows);
+    if (std::ranges::all_of(rows, [](std::uint32_t row) { return row == 0; })) continue;
+    occupied |= 1u << group;
+    groups.insert(groups.end(), rows.begin(), rows.end());
+  }
   return occupied;
 }
 
-std::span<const std::uint8_t> asBytes(const Words& words) {
-  return {reinterpret_cast<const std::uint8_t*>(words.data()), words.size() * sizeof words[0]};
+/// Adds the numbers of their first groups to entries that say which groups they have. The empty
+/// group is number 0. Returns the number of all groups.
+std::uint32_t numberGroups(Words& entries) {
+  std::uint32_t number = 1;
+  for (std::uint32_t& entry : entries) {
+    const auto own = std::uint32_t(std::popcount(entry & groupsMask));
+    entry |= number << SphereTable::groupCount;
+    number += own;
+  }
+  return number;
 }
 
-/// File: words, then their checksum.
-std::optional<Words> readCache(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::uint64_t wordBytes = std::uint64_t(sphereTableEntries) * sizeof(BitCube);
-  if (std::filesystem::file_size(file, error) != wordBytes + sizeof(std::uint64_t) || error)
-    return std::nullopt;
-  const auto bytes = readWholeFile(file, "sphere table");
-  if (bytes.size() != wordBytes + sizeof(std::uint64_t)) return std::nullopt;
-  std::uint64_t stored = 0;
-  std::memcpy(&stored, bytes.data() + wordBytes, sizeof stored);
-  if (checksum(std::span(bytes).first(wordBytes)) != stored) return std::nullopt;
-  Words words(wordBytes / sizeof(std::uint32_t));
-  std::memcpy(words.data(), bytes.data(), wordBytes);
-  return words;
-}
-
-void writeCache(const std::filesystem::path& file, const Words& words) {
-  std::filesystem::create_directories(file.parent_path());
-  const auto wordBytes = asBytes(words);
-  std::vector<std::uint8_t> bytes(wordBytes.begin(), wordBytes.end());
-  const std::uint64_t sum = checksum(wordBytes);
+/// File: entries, groups, checksum of both.
+std::vector<std::uint8_t> fileContent(std::span<const std::uint32_t> entries,
+                                      std::span<const std::uint32_t> groups) {
+  std::vector<std::uint8_t> bytes(entries.size_bytes() + groups.size_bytes());
+  std::memcpy(bytes.data(), entries.data(), entries.size_bytes());
+  std::memcpy(bytes.data() + entries.size_bytes(), groups.data(), groups.size_bytes());
+  const std::uint64_t sum = checksum(bytes);
   const auto* sumBytes = reinterpret_cast<const std::uint8_t*>(&sum);
   bytes.insert(bytes.end(), sumBytes, sumBytes + sizeof sum);
-  writeFileAtomically(file, bytes);
+  return bytes;
+}
+
+constexpr std::size_t entryBytes = sphereTableEntries * sizeof(std::uint32_t);
+
+struct Content {
+  Words entries = Words(sphereTableEntries);
+  Words groups;
+};
+
+/// What a file holds; nothing when its size or checksum is wrong.
+std::optional<Content> contentOf(std::span<const std::uint8_t> file) {
+  constexpr std::size_t sumBytes = sizeof(std::uint64_t);
+  if (file.size() < entryBytes + sumBytes || file.size() % sizeof(std::uint32_t))
+    return std::nullopt;
+  std::uint64_t stored = 0;
+  std::memcpy(&stored, file.data() + file.size() - sumBytes, sumBytes);
+  if (checksum(file.first(file.size() - sumBytes)) != stored) return std::nullopt;
+  Content content;
+  std::memcpy(content.entries.data(), file.data(), entryBytes);
+  const auto groups = file.subspan(entryBytes, file.size() - entryBytes - sumBytes);
+  content.groups.resize(groups.size() / sizeof(std::uint32_t));
+  std::memcpy(content.groups.data(), groups.data(), groups.size());
+  return content;
+}
+
+std::optional<Content> readCache(const std::filesystem::path& file) {
+  constexpr std::uintmax_t largest = entryBytes + sphereTableEntries * sizeof(BitCube) + 128;
+  std::error_code error;
+  if (std::filesystem::file_size(file, error) > largest || error) return std::nullopt;
+  return contentOf(readWholeFile(file, "sphere table"));
 }
 
 }  // namespace
 
 std::filesystem::path sphereTableFile(const std::filesystem::path& folder) {
-  return folder / "sphere-table-1.bin";
+  return folder / "sphere-table-2.bin";
 }
 
 SphereTable SphereTable::build() {
-  SphereTable table;
-  table.words_.resize(std::size_t(sphereTableEntries) * bitCubeRows);
+  Words entries(sphereTableEntries);
   const auto directions = texelDirections();
+  std::vector<Words> groupsOfDirection(texelCount);
   parallelFor(texelCount, 32, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t direction = begin; direction < end; ++direction)
-      buildDirection(directions, int(direction), table.words_);
+    for (std::size_t direction = begin; direction < end; ++direction) {
+      std::uint32_t* entry = &entries[direction * radiusBins];
+      for (const BitCube& mask : masksOf(directions, int(direction)))
+        *entry++ = appendGroups(mask, groupsOfDirection[direction]);
+    }
   });
-  table.occupiedFaces_ = findOccupiedFaces(table.words_);
-  return table;
+  Words groups;
+  groups.reserve(std::size_t(numberGroups(entries)) * groupRows);
+  groups.resize(groupRows);
+  for (Words& own : groupsOfDirection) {
+    groups.insert(groups.end(), own.begin(), own.end());
+    Words().swap(own);
+  }
+  return {std::move(entries), std::move(groups)};
+}
+
+BitCube SphereTable::mask(int entry) const {
+  BitCube mask;
+  const std::uint32_t* rows = &groups_[std::size_t(entries_[entry] >> groupCount) * groupRows];
+  for (int group = 0; group < groupCount; ++group) {
+    if (!(entries_[entry] >> group & 1)) continue;
+    std::copy_n(rows, groupRows, &mask.rows[group * groupRows]);
+    rows += groupRows;
+  }
+  return mask;
 }
 
 BitCube SphereTable::bitCube(std::span<const Sphere> spheres, const glm::vec3& samplePosition,
                              const glm::vec3& sampleNormal) const {
   BitCube cube;
-  for (const Sphere& sphere : spheres) {
-    const auto rows = mask(sphereTableEntry(sphere, samplePosition, sampleNormal));
-    for (int row = 0; row < bitCubeRows; ++row) cube.rows[row] |= rows[row];
-  }
+  for (const Sphere& sphere : spheres)
+    cube |= mask(sphereTableEntry(sphere, samplePosition, sampleNormal));
   return cube;
 }
 
@@ -125,17 +175,14 @@ SphereTable SphereTable::load(const std::filesystem::path& folder) {
   if (folder.empty()) return build();
   const auto file = sphereTableFile(folder);
   try {
-    if (auto words = readCache(file)) {
-      SphereTable table;
-      table.words_ = std::move(*words);
-      table.occupiedFaces_ = findOccupiedFaces(table.words_);
-      return table;
-    }
+    if (auto content = readCache(file))
+      return {std::move(content->entries), std::move(content->groups)};
   } catch (const InputError&) {  // unreadable is as good as missing
   }
   SphereTable table = build();
   try {
-    writeCache(file, table.words_);
+    std::filesystem::create_directories(folder);
+    writeFileAtomically(file, fileContent(table.entries_, table.groups_));
   } catch (const std::exception&) {  // no cache: the next start builds again
   }
   return table;

@@ -12,8 +12,9 @@ namespace {
 const Arguments small{"verify", "--cases", "3", "--without-scenes"};
 const Arguments smallOnHost = joined(small, {"--engine", "cuda-host"});
 
-const std::vector<std::string> stages{"moved_spheres",     "table_entries",  "bit_cubes",
-                                      "haar_coefficients", "triple_product", "frame"};
+const std::vector<std::string> stages{
+    "moved_spheres",  "table_entries", "bit_cubes", "haar_coefficients",
+    "triple_product", "fused",         "frame"};
 const std::vector<std::string> faults{"sphere", "bit", "coefficient", "ulp"};
 
 /// The report of a run with --json that ends with this exit code.
@@ -91,7 +92,7 @@ TEST_CASE("all engines agree, in a table with every stage and visibility") {
     return false;
   };
   for (const char* visibility : {"exact", "table"})
-    for (const char* stage : {"bit cubes", "Haar coefficients", "triple product", "frame"})
+    for (const char* stage : {"bit cubes", "Haar coefficients", "triple product", "fused", "frame"})
       CHECK(hasLine(stage, visibility));
   CHECK(hasLine("table entries", "table"));
   CHECK_FALSE(contains(outcome.output, "DIFFERS"));

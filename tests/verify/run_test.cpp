@@ -48,8 +48,8 @@ TEST_CASE("reference, CUDA kernels and known answers agree") {
   CHECK(!result.failingCase);
   CHECK(result.report.randomCases == 6);
   for (const VisibilityKind kind : {VisibilityKind::exact, VisibilityKind::table})
-    for (const Stage stage :
-         {Stage::movedSpheres, Stage::bitCubes, Stage::haar, Stage::tripleProduct, Stage::frame})
+    for (const Stage stage : {Stage::movedSpheres, Stage::bitCubes, Stage::haar,
+                              Stage::tripleProduct, Stage::fused, Stage::frame})
       CHECK(std::ranges::any_of(result.report.rows, [&](const Row& row) {
         return row.engine == "cuda-host" && row.stage == stage && row.visibility == nameOf(kind) &&
                row.compared > 0 && row.maximumUlp == 0;

@@ -24,7 +24,7 @@ const SphereTable& sharedTable() {
 }
 
 bool sameWords(const SphereTable& a, const SphereTable& b) {
-  return std::ranges::equal(a.words(), b.words());
+  return std::ranges::equal(a.entries(), b.entries()) && std::ranges::equal(a.groups(), b.groups());
 }
 
 }  // namespace
@@ -41,22 +41,30 @@ TEST_CASE("an entry is the exact mask of its bin's direction and radius") {
     const auto mask = sharedTable().mask(direction * radiusBins + bin);
     for (int row = 0; row < bitCubeRows; ++row) {
       bits += std::popcount(exact.rows[row]);
-      different += std::popcount(exact.rows[row] ^ mask[row]);
+      different += std::popcount(exact.rows[row] ^ mask.rows[row]);
     }
   }
   // The table compares in float32: only texels whose centre lies on the cap's rim may differ.
   CHECK(different <= bits / 2000);
 }
 
-TEST_CASE("occupied faces are those with a set bit") {
-  for (int entry = 0; entry < sphereTableEntries; entry += 97) {
-    const auto mask = sharedTable().mask(entry);
-    for (int face = 0; face < faceCount; ++face) {
-      bool any = false;
-      for (int row = 0; row < faceSize; ++row) any |= mask[face * faceSize + row] != 0;
-      REQUIRE(any == bool(sharedTable().occupiedFaces()[entry] >> face & 1));
+TEST_CASE("groups that are kept are those with a set bit, one entry after the other") {
+  const SphereTable& table = sharedTable();
+  std::size_t place = 1;  // after the empty group
+  for (int entry = 0; entry < sphereTableEntries; ++entry) {
+    const std::uint32_t occupied = table.entries()[entry] % (1u << SphereTable::groupCount);
+    REQUIRE((table.entries()[entry] >> SphereTable::groupCount) == place);
+    for (int i = 0; i < std::popcount(occupied); ++i, ++place) {
+      const auto rows =
+          table.groups().subspan(place * SphereTable::groupRows, SphereTable::groupRows);
+      REQUIRE(std::ranges::any_of(rows, [](std::uint32_t row) { return row != 0; }));
     }
+    if (entry % 97) continue;
+    const BitCube mask = table.mask(entry);
+    for (int row = 0; row < bitCubeRows; ++row)
+      REQUIRE((mask.rows[row] == 0 || (occupied >> row / SphereTable::groupRows & 1)));
   }
+  CHECK(table.groups().size() == place * SphereTable::groupRows);
 }
 
 TEST_CASE("the table does not depend on the number of threads") {
@@ -74,7 +82,7 @@ TEST_CASE("a damaged or cut cache file is built again") {
   const SphereTable built = SphereTable::load(folder.path());
   REQUIRE(std::filesystem::exists(file));
   const auto size = std::filesystem::file_size(file);
-  CHECK(size == 6144ull * 32 * 768 + 8);
+  CHECK(size == built.entries().size_bytes() + built.groups().size_bytes() + 8);
 
   SUBCASE("one bit changed") {
     std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);

@@ -49,11 +49,8 @@ void writeFrameRate(JsonWriter& json, const FrameRate& rate) {
   json.member("seconds_per_frame_median", rate.timing.medianSeconds);
   json.member("seconds_per_frame_minimum", rate.timing.minimumSeconds);
   json.key("stage_seconds_median").beginObject();
-  json.member("upload", rate.stageMedians.upload);
-  json.member("merge", rate.stageMedians.merge);
-  json.member("transform", rate.stageMedians.transform);
-  json.member("triple_product", rate.stageMedians.tripleProduct);
-  json.member("read_back", rate.stageMedians.readBack);
+  for (const NamedStage& stage : namedStages)
+    json.member(stage.name, rate.stageMedians.*stage.seconds);
   json.end().end();
 }
 

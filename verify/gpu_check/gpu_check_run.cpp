@@ -16,18 +16,6 @@ std::string nvidiaDriver() {
   return line;
 }
 
-StageTimes mediansOf(const std::vector<StageTimes>& times) {
-  StageTimes medians;
-  for (double StageTimes::*const stage :
-       {&StageTimes::upload, &StageTimes::merge, &StageTimes::transform, &StageTimes::tripleProduct,
-        &StageTimes::readBack, &StageTimes::total}) {
-    std::vector<double> seconds;
-    for (const StageTimes& frame : times) seconds.push_back(frame.*stage);
-    medians.*stage = median(seconds);
-  }
-  return medians;
-}
-
 std::unique_ptr<Engine> openInGpuShape(const DeviceDescription& device,
                                        std::shared_ptr<const SphereTable> table) {
   EngineOptions options = optionsFor(device);
@@ -82,7 +70,7 @@ FrameRate measureFrame(Engine& engine, const Case& frame) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   });
   stages.erase(stages.begin());  // the frame that warmed up
-  rate.stageMedians = mediansOf(stages);
+  rate.stageMedians = stageMedians(stages);
   return rate;
 }
 

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <array>
+#include <vector>
 #include <span>
 
 #include "base/text_format.h"
@@ -11,10 +11,13 @@ namespace haarlight::verify {
 
 namespace {
 
-using Cells = std::array<std::string, 10>;
+using Cells = std::vector<std::string>;
 
-const Cells titles{"visibility", "spheres", "terms",     "level",          "frames/s",
-                   "upload",     "merge",   "transform", "triple product", "read-back"};
+const Cells titles = [] {
+  Cells cells{"visibility", "spheres", "terms", "level", "frames/s"};
+  for (const NamedStage& stage : namedStages) cells.push_back(stage.name);
+  return cells;
+}();
 
 /// Cells below their titles, to the right.
 std::string tableLine(const Cells& cells) {
@@ -44,11 +47,11 @@ std::string frameRateTable(std::span<const FrameRate> rates) {
       "  frames per second with upload and read-back; milliseconds by stage\n" + tableLine(titles);
   for (const FrameRate& rate : rates) {
     const StageTimes& stages = rate.stageMedians;
-    text += tableLine({nameOf(rate.visibility), numberText(rate.spheres), numberText(rate.terms),
-                       rate.levels == 1 ? "I" : "II", fixedText(rate.timing.framesPerSecond(), 2),
-                       millisecondsText(stages.upload), millisecondsText(stages.merge),
-                       millisecondsText(stages.transform), millisecondsText(stages.tripleProduct),
-                       millisecondsText(stages.readBack)});
+    Cells cells{nameOf(rate.visibility), numberText(rate.spheres), numberText(rate.terms),
+                rate.levels == 1 ? "I" : "II", fixedText(rate.timing.framesPerSecond(), 2)};
+    for (const NamedStage& stage : namedStages)
+      cells.push_back(millisecondsText(stages.*stage.seconds));
+    text += tableLine(cells);
   }
   return text;
 }

@@ -39,6 +39,8 @@ std::string nameOf(Stage stage) {
       return "Haar coefficients";
     case Stage::tripleProduct:
       return "triple product";
+    case Stage::fused:
+      return "fused";
     case Stage::frame:
       return "frame";
   }

@@ -12,11 +12,13 @@ namespace haarlight::verify {
 /// The stages of a frame, each compared on its own: every stage gets the reference's results of the
 /// stage before, so that a mismatch is reported where it arises. Only `frame` runs all of them, but
 /// for `movedSpheres`, which has spheres of its own.
-enum class Stage { movedSpheres, tableEntries, bitCubes, haar, tripleProduct, frame };
+enum class Stage { movedSpheres, tableEntries, bitCubes, haar, tripleProduct, fused, frame };
 inline constexpr std::array allStages{Stage::movedSpheres, Stage::tableEntries,  Stage::bitCubes,
-                                      Stage::haar,         Stage::tripleProduct, Stage::frame};
+                                      Stage::haar,         Stage::tripleProduct, Stage::fused,
+                                      Stage::frame};
 
-/// "moved spheres", "table entries", "bit cubes", "Haar coefficients", "triple product", "frame".
+/// "moved spheres", "table entries", "bit cubes", "Haar coefficients", "triple product", "fused",
+/// "frame".
 std::string nameOf(Stage stage);
 
 /// Whether a stage's results are float32 (else unsigned integers, which have no ULP).

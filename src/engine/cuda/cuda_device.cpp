@@ -53,6 +53,7 @@ class CudaDevice final : public KernelDevice {
   std::string engineName() const override { return "cuda"; }
   std::string name() const override { return device_.name; }
   std::size_t batchSize() const override { return 32768; }
+  std::size_t lobeWindow() const override { return lobeCount; }
   KernelShape shape() const override { return shape_; }
   std::optional<std::size_t> localBytes(std::string_view kernelName) const override {
     makeCurrent();

@@ -38,6 +38,7 @@ class CudaHostDevice final : public KernelDevice {
   std::string engineName() const override { return "cuda-host"; }
   std::string name() const override { return deviceName; }
   std::size_t batchSize() const override { return 2048; }
+  std::size_t lobeWindow() const override { return 64; }
   KernelShape shape() const override { return shape_; }
 
   std::unique_ptr<DeviceBuffer> allocate(std::size_t bytes) override {

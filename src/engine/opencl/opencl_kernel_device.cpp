@@ -15,6 +15,8 @@ namespace {
 /// Receivers worked on at a time, in the shape for CPUs and in that for GPUs: their intermediate
 /// results (3.6 KB each) stay in the caches of a CPU, and a GPU still has enough to do.
 constexpr std::size_t cpuBatch = 2048, gpuBatch = 32768;
+/// 18 MiB, which a CPU's caches hold; on GPUs all lobes, 125 MiB.
+constexpr std::size_t cpuLobeWindow = 256, gpuLobeWindow = lobeCount;
 /// In the shape for GPUs 4 samples are 128 work-items: two or four waves.
 constexpr int cpuSamplesPerGroup = 1, gpuSamplesPerGroup = 4;
 
@@ -58,6 +60,9 @@ class OpenClKernelDevice final : public KernelDevice {
   std::string numericLimitation() const override { return device_.numericLimitation; }
   double buildSeconds() const override { return program_.buildSeconds(); }
   std::size_t batchSize() const override { return shape_.lanesPerItem > 1 ? cpuBatch : gpuBatch; }
+  std::size_t lobeWindow() const override {
+    return shape_.lanesPerItem > 1 ? cpuLobeWindow : gpuLobeWindow;
+  }
   KernelShape shape() const override { return shape_; }
   std::optional<std::size_t> localBytes(std::string_view kernelName) const override {
     return inWords([&]() -> std::optional<std::size_t> {
