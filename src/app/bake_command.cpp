@@ -92,9 +92,7 @@ SceneDescription describe(const BakeOptions& options) {
   SceneDescription scene = describeScene(options.scene);
   if (!options.size.empty()) {
     if (!scene.receiver) throw InputError("--size needs a receiver plane in the scene");
-    scene.receiver->samples = parseSize(options.size, "--size");
-    if (std::max(scene.receiver->samples.x, scene.receiver->samples.y) > 4096)
-      throw InputError("--size " + options.size + ": at most 4096 a side");
+    scene.receiver->samples = parseReceiverSize(options.size);
   }
   return scene;
 }

@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   haarlight::addTrackCommand(app);
   haarlight::addDevicesCommand(app);
   haarlight::addVerifyCommand(app);
+  haarlight::addBenchCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version

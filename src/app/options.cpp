@@ -38,6 +38,20 @@ SceneDescription sceneAroundMesh(const std::string& mesh) {
   return scene;
 }
 
+CLI::Validator notEmpty() {
+  return {[](const std::string& value) { return value.empty() ? "takes no empty text" : ""; }, ""};
+}
+
+/// Adds options whose value is a text.
+struct TextOptions {
+  CLI::App& command;
+
+  CLI::Option* operator()(const char* name, std::string& value, const char* help,
+                          const char* group) const {
+    return command.add_option(name, value, help)->group(group)->check(notEmpty());
+  }
+};
+
 /// CLI::Range lets NaN through.
 double checked(double value, const Range& range, const std::string& option) {
   if (value >= range.minimum && value <= range.maximum) return value;
@@ -91,16 +105,12 @@ CLI::Option* addSeedOption(CLI::App& command, std::uint64_t& seed, const std::st
   return command.add_option("--seed", seed, help)->check(withoutSign)->capture_default_str();
 }
 
-void addSceneOptions(CLI::App& command, SceneOptions& options) {
-  const CLI::Validator notEmpty(
-      [](const std::string& value) { return value.empty() ? "takes no empty text" : ""; }, "");
+void addSceneContentOptions(CLI::App& command, SceneOptions& options) {
   command
       .add_option("SCENE", options.scene,
                   "Scene file, builtin:default, builtin:smooth or builtin:twist")
-      ->check(notEmpty);
-  const auto text = [&](const char* name, std::string& value, const char* help, const char* group) {
-    return command.add_option(name, value, help)->group(group)->check(notEmpty);
-  };
+      ->check(notEmpty());
+  const TextOptions text{command};
   text("--mesh", options.mesh, "Instead of a scene: a mesh on the ground plane", "Scene");
   text("--light", options.light,
        "EXR or Radiance HDR image, builtin:lamps, builtin:sky or builtin:constant", "Scene");
@@ -111,6 +121,11 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
       ->group("Scene");
   command.add_option("--light-scale", options.lightScale, "Factor on the radiance [1]")
       ->group("Scene");
+}
+
+void addSceneOptions(CLI::App& command, SceneOptions& options) {
+  addSceneContentOptions(command, options);
+  const TextOptions text{command};
   command.add_option("--spheres", options.spheres, "Spheres fitted to each object [64]")
       ->group("Scene")
       ->check(CLI::Range(1, 4096));
@@ -201,6 +216,12 @@ glm::ivec2 parseSize(const std::string& text, const std::string& option) {
     }
   }
   throw InputError(fmt::format("{} takes WIDTHxHEIGHT such as 960x540, not '{}'", option, text));
+}
+
+glm::ivec2 parseReceiverSize(const std::string& text) {
+  const glm::ivec2 size = parseSize(text, "--size");
+  if (std::max(size.x, size.y) > 4096) throw InputError("--size " + text + ": at most 4096 a side");
+  return size;
 }
 
 void checkTarget(const fs::path& target, const std::vector<std::string>& extensions) {

@@ -44,6 +44,9 @@ struct SceneOptions {
 
 void addSceneOptions(CLI::App& command, SceneOptions& options);
 
+/// Those of them that say what is in the scene, but for its spheres.
+void addSceneContentOptions(CLI::App& command, SceneOptions& options);
+
 /// The scene that the options ask for; without a scene and a mesh the built-in default. Throws
 /// InputError.
 SceneDescription describeScene(const SceneOptions& options);
@@ -58,6 +61,9 @@ std::shared_ptr<Engine> openEngine(const SceneOptions& options, const SceneDescr
 
 /// "960x540" as two positive numbers. Throws InputError naming the option.
 glm::ivec2 parseSize(const std::string& text, const std::string& option);
+
+/// --size of a receiver plane: the same, with at most 4096 samples a side.
+glm::ivec2 parseReceiverSize(const std::string& text);
 
 /// Throws InputError unless a file of one of these extensions can be made at `target`, so that no
 /// work is done in vain.

@@ -30,7 +30,12 @@ class TexelSumMethod : public RadianceMethod {
     const Stopwatch watch;
     std::vector<glm::vec3> radiance(samples.size());
     parallelFor(samples.size(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) radiance[i] = radianceOf(samples[i]);
+      std::vector<double> lobe;
+      for (std::size_t i = begin; i < end; ++i) {
+        if (i == begin || samples[i].normal != samples[i - 1].normal)
+          lobe = cosineLobe(glm::dvec3(samples[i].normal));
+        radiance[i] = radianceOf(samples[i], lobe);
+      }
     });
     times_.total += watch.total();
     return radiance;
@@ -44,8 +49,7 @@ class TexelSumMethod : public RadianceMethod {
   const Scene& scene_;
 
  private:
-  glm::vec3 radianceOf(const SurfaceSample& sample) const {
-    const auto lobe = cosineLobe(glm::dvec3(sample.normal));
+  glm::vec3 radianceOf(const SurfaceSample& sample, const std::vector<double>& lobe) const {
     const BitCube blocked = blockedTexels(sample, lobe);
     const RadianceCube& light = scene_.light.projection.cube;
     glm::dvec3 sum(0);
@@ -82,8 +86,10 @@ std::vector<const TriangleMesh*> blockerMeshes(const Scene& scene) {
   return meshes;
 }
 
-/// Distance by which rays leave the surface they start on: well above the rounding of positions of
-/// this magnitude, well below anything seen.
+/// Distance by which rays leave the surface they start on, over the extent of the blockers: well
+/// above the rounding of positions of this magnitude, well below anything seen.
+constexpr float relativeRayOffset = 1e-4f;
+
 float rayOffset(const std::vector<const TriangleMesh*>& meshes) {
   float extent = 0;
   for (const TriangleMesh* mesh : meshes) {
@@ -91,22 +97,29 @@ float rayOffset(const std::vector<const TriangleMesh*>& meshes) {
     for (const glm::vec3& corner : {glm::abs(box.lower), glm::abs(box.upper)})
       extent = std::max({extent, corner.x, corner.y, corner.z});
   }
-  return 1e-4f * extent;
+  return relativeRayOffset * extent;
 }
 
-class PixelMeshMethod final : public TexelSumMethod {
- public:
-  explicit PixelMeshMethod(const Scene& scene) : TexelSumMethod(scene) {
-    sceneChanged(true);
+float rayOffset(const std::vector<Sphere>& spheres) {
+  float extent = 0;
+  for (const Sphere& sphere : spheres) {
+    const glm::vec3 reach = glm::abs(sphere.center) + sphere.radius;
+    extent = std::max({extent, reach.x, reach.y, reach.z});
+  }
+  return relativeRayOffset * extent;
+}
+
+class RayMethod : public TexelSumMethod {
+ protected:
+  explicit RayMethod(const Scene& scene) : TexelSumMethod(scene) {
     for (int texel = 0; texel < texelCount; ++texel)
       directions_[texel] = glm::vec3(texelDirection(texel));
   }
 
-  std::string name() const override { return "pixel-mesh"; }
-  void sceneChanged(bool) override {
-    const auto meshes = blockerMeshes(scene_);
-    rays_.emplace(meshes);
-    offset_ = rayOffset(meshes);
+  template <typename Blockers>
+  void setBlockers(const Blockers& blockers) {
+    rays_.emplace(blockers);
+    offset_ = rayOffset(blockers);
   }
 
  private:
@@ -133,6 +146,22 @@ class PixelMeshMethod final : public TexelSumMethod {
   std::array<glm::vec3, texelCount> directions_;
 };
 
+class PixelMeshMethod final : public RayMethod {
+ public:
+  explicit PixelMeshMethod(const Scene& scene) : RayMethod(scene) { sceneChanged(true); }
+
+  std::string name() const override { return "pixel-mesh"; }
+  void sceneChanged(bool) override { setBlockers(blockerMeshes(scene_)); }
+};
+
+class PixelRayMethod final : public RayMethod {
+ public:
+  explicit PixelRayMethod(const Scene& scene) : RayMethod(scene) { sceneChanged(true); }
+
+  std::string name() const override { return "pixel-rays"; }
+  void sceneChanged(bool) override { setBlockers(scene_.blockerSpheres()); }
+};
+
 }  // namespace
 
 std::unique_ptr<RadianceMethod> makePixelMethod(const Scene& scene,
@@ -142,6 +171,10 @@ std::unique_ptr<RadianceMethod> makePixelMethod(const Scene& scene,
 
 std::unique_ptr<RadianceMethod> makePixelMeshMethod(const Scene& scene) {
   return std::make_unique<PixelMeshMethod>(scene);
+}
+
+std::unique_ptr<RadianceMethod> makePixelRayMethod(const Scene& scene) {
+  return std::make_unique<PixelRayMethod>(scene);
 }
 
 }  // namespace haarlight

@@ -16,7 +16,7 @@ class RadianceMethod {
  public:
   virtual ~RadianceMethod() = default;
 
-  /// "haar", "pixel" or "pixel-mesh".
+  /// "haar", "pixel", "pixel-mesh" or "pixel-rays".
   virtual std::string name() const = 0;
   /// What computes it, in words.
   virtual std::string deviceName() const = 0;
@@ -52,5 +52,8 @@ std::unique_ptr<RadianceMethod> makePixelMethod(const Scene& scene,
 /// The same, blocked by the meshes: a ray through every texel's centre above the horizon, on all
 /// threads. The reference image of the paper.
 std::unique_ptr<RadianceMethod> makePixelMeshMethod(const Scene& scene);
+
+/// The same with rays to the spheres instead; a sphere that holds a sample blocks all of it.
+std::unique_ptr<RadianceMethod> makePixelRayMethod(const Scene& scene);
 
 }  // namespace haarlight

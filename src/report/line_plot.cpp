@@ -14,10 +14,10 @@ namespace haarlight {
 
 const char* const linePlotStyle = R"(
 :root { --series-1: #1f6fbf; --series-2: #c8590c; --series-3: #23824a; --series-4: #8747b8;
-        --series-5: #b8324a; --series-6: #127f8c; }
+        --series-5: #b8324a; --series-6: #127f8c; --series-7: #857004; --series-8: #c2378f; }
 @media (prefers-color-scheme: dark) {
   :root { --series-1: #6cb0f5; --series-2: #f79a55; --series-3: #6fcf8f; --series-4: #c79bf0;
-          --series-5: #f58298; --series-6: #5fcbd8; }
+          --series-5: #f58298; --series-6: #5fcbd8; --series-7: #d3bd4c; --series-8: #f08ac8; }
 }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr));
          gap: 0 2rem; }
@@ -31,6 +31,7 @@ const char* const linePlotStyle = R"(
 .plot .series-1 { color: var(--series-1); } .plot .series-2 { color: var(--series-2); }
 .plot .series-3 { color: var(--series-3); } .plot .series-4 { color: var(--series-4); }
 .plot .series-5 { color: var(--series-5); } .plot .series-6 { color: var(--series-6); }
+.plot .series-7 { color: var(--series-7); } .plot .series-8 { color: var(--series-8); }
 .plot .line { stroke: currentColor; }
 ul.legend { list-style: none; display: flex; flex-wrap: wrap; gap: .1rem 1.25rem; margin: .5rem 0;
             padding: 0; font-size: .85rem; color: var(--soft); }
@@ -42,7 +43,7 @@ namespace {
 constexpr double width = 560, height = 320;
 constexpr double left = 62, right = 548, top = 10, bottom = 274;
 constexpr double smallestMarkDistance = 8;
-constexpr std::size_t colorCount = 6;
+constexpr std::size_t colorCount = plotColorCount;
 
 /// Symbols around the origin.
 constexpr std::array marks{"M-3.5,0a3.5,3.5 0 1 0 7,0a3.5,3.5 0 1 0 -7,0z",
@@ -50,7 +51,9 @@ constexpr std::array marks{"M-3.5,0a3.5,3.5 0 1 0 7,0a3.5,3.5 0 1 0 -7,0z",
                            "M0,-4.4L4.2,3H-4.2z",
                            "M0,-4.6L4.6,0L0,4.6L-4.6,0z",
                            "M0,4.4L4.2,-3H-4.2z",
-                           "M-4.5,-1.5h3v-3h3v3h3v3h-3v3h-3v-3h-3z"};
+                           "M-4.5,-1.5h3v-3h3v3h3v3h-3v3h-3v-3h-3z",
+                           "M-4.8,-2h9.6v4h-9.6z",
+                           "M-2,-4.8h4v9.6h-4z"};
 static_assert(marks.size() == colorCount);
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
@@ -80,7 +83,8 @@ struct Axis {
 };
 
 bool drawable(const LinePlot& plot, const glm::dvec2& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && (!plot.logarithmicY || point.y > 0);
+  return std::isfinite(point.x) && std::isfinite(point.y) && (!plot.logarithmicX || point.x > 0) &&
+         (!plot.logarithmicY || point.y > 0);
 }
 
 struct Bounds {
@@ -109,7 +113,10 @@ struct Axes {
 };
 
 Axes axesOf(const LinePlot& plot, const Bounds& bounds) {
-  return {{false, linearTicks(bounds.lower.x, bounds.upper.x, 8), left, right},
+  return {{plot.logarithmicX,
+           plot.logarithmicX ? logarithmicTicks(bounds.lower.x, bounds.upper.x)
+                             : linearTicks(bounds.lower.x, bounds.upper.x, 8),
+           left, right},
           {plot.logarithmicY,
            plot.logarithmicY ? logarithmicTicks(bounds.lower.y, bounds.upper.y)
                              : linearTicks(std::min(bounds.lower.y, 0.0), bounds.upper.y),

@@ -19,7 +19,8 @@ struct PlotSeries {
 struct LinePlot {
   std::string title;
   std::string xLabel, yLabel;  ///< with the unit
-  bool logarithmicY = false;   ///< else the y axis starts at zero or below
+  bool logarithmicX = false;
+  bool logarithmicY = false;  ///< else the y axis starts at zero or below
   std::vector<PlotSeries> series;
 };
 
@@ -29,5 +30,8 @@ struct LinePlot {
 std::string linePlotFigure(const LinePlot& plot);
 
 extern const char* const linePlotStyle;
+
+/// Named series that differ in colour and symbol; a plot with more of them starts again.
+inline constexpr int plotColorCount = 8;
 
 }  // namespace haarlight
