@@ -24,20 +24,48 @@ __device__ inline Caps capsOf(SeenSpheres seen) {
   return caps;
 }
 
-// Components along a face's direction and its s and t axes.
-struct FaceComponents {
-  float major, alongS, alongT;
+// Caps on a face: components of the vector to the centre along the face's direction and its s and t
+// axes, and what all rows of the face need for the ends of their intervals.
+struct FaceCaps {
+  float major, alongS, alongT, rim;
+  float leading;         // rim - alongS^2
+  float inverseLeading;  // 1 / leading, nearly
 };
 
-__device__ inline FaceComponents onFace(uint face, Caps caps) {
+__device__ inline float nearInverseRoot(float x) {
+  float inverse = __uint_as_float(0x5f3759dfu - (__float_as_uint(x) >> 1));
+  const float part = 0.5f * x;
+  inverse = inverse * (1.5f - part * inverse * inverse);
+  return inverse * (1.5f - part * inverse * inverse);
+}
+
+__device__ inline FaceCaps faceCaps(float major, float alongS, float alongT, float rim) {
+  const float leading = rim - alongS * alongS;
+  const float rough = nearInverseRoot(leading);
+  const float inverse = rough * (1.5f - 0.5f * leading * rough * rough);
+  const FaceCaps caps = {major, alongS, alongT, rim, leading, inverse * inverse};
+  return caps;
+}
+
+__device__ inline FaceCaps onFace(uint face, const Caps* caps) {
   switch (face) {
-    case 0: return {caps.x, -caps.z, -caps.y};
-    case 1: return {-caps.x, caps.z, -caps.y};
-    case 2: return {caps.y, caps.x, caps.z};
-    case 3: return {-caps.y, caps.x, -caps.z};
-    case 4: return {caps.z, caps.x, -caps.y};
-    default: return {-caps.z, -caps.x, -caps.y};
+    case 0: return faceCaps(caps->x, -caps->z, -caps->y, caps->rim);
+    case 1: return faceCaps(-caps->x, caps->z, -caps->y, caps->rim);
+    case 2: return faceCaps(caps->y, caps->x, caps->z, caps->rim);
+    case 3: return faceCaps(-caps->y, caps->x, -caps->z, caps->rim);
+    case 4: return faceCaps(caps->z, caps->x, -caps->y, caps->rim);
+    default: return faceCaps(-caps->z, -caps->x, -caps->y, caps->rim);
   }
+}
+
+// Whether the ends of intervals that intervalOfRow() finds are less than half a column wrong, and
+// products stay within float32. Roots are within 4,000 columns of the face's centre then, and neither
+// the rounding of `leading` nor a relative error of 10^-5 moves them by more than a tenth.
+__device__ inline bool haveSafeEnds(const FaceCaps* caps) {
+  const float height = fabsf(caps->major) + fabsf(caps->alongT);
+  const float most = 250.0f * caps->leading;
+  return caps->leading > 1e-10f && caps->rim < 1e15f && 64.0f * caps->leading > caps->rim &&
+         height * height * caps->rim < most * most;
 }
 
 // Coordinate of the centre of a row or column.
@@ -70,13 +98,13 @@ __device__ inline uint reachedFaces(float x, float y, float z, float rim) {
   return faces;
 }
 
-// The lane's row of a face: c.D = atCenter + s * alongS, |c|^2 = lengthSquared + s^2.
+// A row of a face: c.D = atCenter + s * alongS, |c|^2 = lengthSquared + s^2.
 struct Rows {
   float atCenter, lengthSquared, alongS, rim;
 };
 
-__device__ inline Rows rowsAt(FaceComponents components, float t, float rim) {
-  const Rows rows = {components.major + t * components.alongT, 1.0f + t * t, components.alongS, rim};
+__device__ inline Rows rowsAt(const FaceCaps* caps, float t) {
+  const Rows rows = {caps->major + t * caps->alongT, 1.0f + t * t, caps->alongS, caps->rim};
   return rows;
 }
 
@@ -127,48 +155,35 @@ __device__ inline uint rowBitsByBisection(Rows rows) {
   return isBlocked(rows, inside) ? columnBits(first, last) : 0u;
 }
 
-// 1 / sqrt(x) to some five digits: an estimate from the exponent and two steps of Newton's method. It
-// decides no bit.
-__device__ inline float inverseRoot(float x) {
-  float inverse = __uint_as_float(0x5f3759dfu - (__float_as_uint(x) >> 1));
-  for (int step = 0; step < 2; ++step)
-    inverse = inverse * (1.5f - 0.5f * x * inverse * inverse);
-  return inverse;
-}
-
-// The ends from the roots of (c.D)^2 = |c|^2 rim, a quadratic in s. Rounding may put them into a
-// wrong column, so they count only where the test itself agrees on both sides of them. Where products
-// could leave float32, or the cap holds the face's s axis, ends are found by bisection.
-__device__ inline uint endsOfRow(Rows rows) {
-  const float leading = rows.rim - rows.alongS * rows.alongS;
-  if (!(leading > 1e-10f && rows.rim < 1e15f)) return rowBitsByBisection(rows);
-  const float inverseOfRoot = inverseRoot(leading);
-  const float scale = 16.0f * inverseOfRoot * inverseOfRoot;  // columns per s, over leading
-  const float discriminant =
-      rows.rim * (rows.atCenter * rows.atCenter - rows.lengthSquared * leading);
-  const float positive = fmaxf(discriminant, 1e-30f);
-  const float reach = positive * inverseRoot(positive) * scale;
-  const float middle = 15.5f + (rows.atCenter * rows.alongS) * scale;
+// From -1 to 32.
+__device__ inline int nearestColumnTo(float place) {
   const float low = -1.0f, high = float(FACE_SIZE);
-  const float begin = fminf(fmaxf(middle - reach, low), high),
-              end = fminf(fmaxf(middle + reach, low), high);
-  const int first = max(int(ceilf(begin)), 0), last = min(int(floorf(end)), FACE_SIZE - 1);
-  const bool atFirst = isBlocked(rows, min(first, FACE_SIZE - 1)),
-             atLast = isBlocked(rows, max(last, 0)),
-             before = first > 0 && isBlocked(rows, first - 1),
-             after = last < FACE_SIZE - 1 && isBlocked(rows, last + 1);
-  const bool empty = first > last;
-  const bool wrong = empty ? atFirst || atLast : !(atFirst && atLast && !before && !after);
-  if (wrong) return rowBitsByBisection(rows);
-  return empty ? 0u : columnBits(first, last);
+  return int(fminf(fmaxf(place, low), high) + 1.5f) - 1;
 }
 
-__device__ inline uint rowBits(Rows rows) {
-  return mayBeBlocked(rows) ? endsOfRow(rows) : 0;
+// The interval from the roots of (c.D)^2 = |c|^2 rim, a quadratic in s. A root is so near to the true
+// one that all columns but the nearest are clear; that one is left to the test.
+__device__ inline uint intervalOfRow(const FaceCaps* caps, Rows rows) {
+  const float discriminant =
+      caps->rim * (rows.atCenter * rows.atCenter - rows.lengthSquared * caps->leading);
+  const float positive = fmaxf(discriminant, 1e-30f);
+  const float scale = 16.0f * caps->inverseLeading;  // columns per s, over leading
+  const float reach = positive * nearInverseRoot(positive) * scale;
+  const float middle = 15.5f + (rows.atCenter * rows.alongS) * scale;
+  const int nearBegin = nearestColumnTo(middle - reach), nearEnd = nearestColumnTo(middle + reach);
+  const int first = max(isBlocked(rows, nearBegin) ? nearBegin : nearBegin + 1, 0),
+            last = min(isBlocked(rows, nearEnd) ? nearEnd : nearEnd - 1, FACE_SIZE - 1);
+  return first <= last && rows.atCenter > 0.0f ? columnBits(first, last) : 0;
 }
 
 // Caps and the faces they reach.
 #define CAP_FLOATS (5 * LANES)
+
+__device__ inline uint rowBits(const FaceCaps* caps, int row) {
+  const Rows rows = rowsAt(caps, centerCoordinate(row));
+  if (!mayBeBlocked(rows)) return 0;
+  return haveSafeEnds(caps) ? intervalOfRow(caps, rows) : rowBitsByBisection(rows);
+}
 
 // The union for one sample; `room` is for CAP_FLOATS numbers.
 __device__ inline uint mergeCaps(const Tile* tile, const float* spheres, uint sphereCount,
@@ -188,9 +203,10 @@ __device__ inline uint mergeCaps(const Tile* tile, const float* spheres, uint sp
       const Caps caps = {room[i], room[i + LANES], room[i + 2 * LANES], room[i + 3 * LANES]};
       const uint faces = __float_as_uint(room[i + 4 * LANES]);
       for (uint face = 0; face < FACES; ++face)
-        if (faces >> face & 1)
-          rows[face * FACE_SIZE + LANE] |=
-              rowBits(rowsAt(onFace(face, caps), centerCoordinate(int(LANE)), caps.rim));
+        if (faces >> face & 1) {
+          const FaceCaps onThis = onFace(face, &caps);
+          rows[face * FACE_SIZE + LANE] |= rowBits(&onThis, int(LANE));
+        }
     }
     LANE_BARRIER();
   }

@@ -1,14 +1,18 @@
 // All steps of a sample in one kernel, from spheres to radiance; nothing but the radiance is written.
 // The triple product is the sum of the weights of the blocked texels (src/engine/square_weights.h).
 
-// Adds the weights of a sample's blocked texels; its rows lie `step` words apart, and only `groups`
-// of them hold any.
-// A lane takes a column of every row.
-__device__ inline uint4 addBlockedTexels(const uint* rows, uint step, uint,
-                              const uint* weights) {
+// The bit cubes of a tile: rows of a sample lie `rowStep` words apart, samples `sampleStep`; only
+// `groups` of them hold blocked texels.
+struct TileRows {
+  const uint* rows;
+  uint rowStep, sampleStep, groups;
+};
+
+// The weights of the sample's blocked texels; a lane takes a column of every row.
+__device__ inline uint4 addBlockedTexels(const TileRows* tile, const uint* weights) {
   uint4 sum = {0, 0, 0, 0};
   for (uint row = 0; row < BIT_CUBE_ROWS; ++row) {
-    const uint bits = rows[row * step];
+    const uint bits = tile->rows[row];
     if (bits == 0) continue;
     const uint mask = 0u - (bits >> LANE & 1);
     const uint* own = weights + row * 3 * FACE_SIZE + LANE;
@@ -19,29 +23,39 @@ __device__ inline uint4 addBlockedTexels(const uint* rows, uint step, uint,
   return sum;
 }
 
+__device__ inline void addLobe(const TileRows* tile, const uint* texelWeights, const Blend* blends,
+                               uint lobe, uint4* sums) {
+  if (blends->weights[lobe] != 0.0f)
+    sums[lobe] = addBlockedTexels(tile, texelWeights + size_t(TEXEL_WEIGHTS) * blends->slots[lobe]);
+}
+
 // Rows of the tile, and room for the sums of addOverLanes().
 #define SHADE_ROOM \
   (TILE * BIT_CUBE_ROWS > LOBE_SUMS * LANES ? TILE * BIT_CUBE_ROWS : LOBE_SUMS * LANES)
 
-// Radiance of the samples of a tile from their blocked texels in `room`, which is room for the sums of
-// lanes, too.
-__device__ inline void shadeRows(uint* room, uint sampleStep, uint rowStep, uint groups, const LobeBlend* receivers,
-                      uint lobesPerReceiver, const uint* lobeSlots,
-                      const uint* texelWeights, const uint4* unshadowed,
-                      const float4* scales, float4* radiance) {
+// What radiance takes from the host: the lobes' tables.
+struct LobeTables {
+  uint lobesPerReceiver;
+  const uint* lobeSlots;
+  const uint* texelWeights;
+  const uint4* unshadowed;
+  const float4* scales;
+};
+
+// Radiance of the samples of a tile from their blocked texels. `room` holds them and is room for the
+// sums of lanes, too.
+__device__ inline void shadeTile(const TileRows* tile, uint* room, const LobeBlend* receivers,
+                                 const LobeTables* tables, float4* radiance) {
+  const Blend blend =
+      blendOf(receivers[FIRST_OF_TILE], tables->lobesPerReceiver, tables->lobeSlots);
+  uint4 sums[3] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}};
   LANE_BARRIER();
-  for (size_t i = 0; i < TILE; ++i) {
-    const Blend blend = blendOf(receivers[FIRST_OF_TILE + i], lobesPerReceiver, lobeSlots);
-    uint4 sums[3] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}};
-    for (uint lobe = 0; lobe < blend.count; ++lobe)
-      if (blend.weights[lobe] != 0.0f)
-        sums[lobe] = addBlockedTexels(room + i * sampleStep, rowStep, groups,
-                                      texelWeights + size_t(TEXEL_WEIGHTS) * blend.slots[lobe]);
-    LANE_BARRIER();
-    addOverLanes(sums, room);
-    if (LANE == 0)
-      radiance[FIRST_OF_TILE + i] = blendRadiance(&blend, sums, unshadowed, scales);
-  }
+  for (uint lobe = 0; lobe < blend.count; ++lobe)
+    addLobe(tile, tables->texelWeights, &blend, lobe, sums);
+  LANE_BARRIER();
+  addOverLanes(sums, room);
+  if (LANE == 0)
+    radiance[FIRST_OF_TILE] = blendRadiance(&blend, sums, tables->unshadowed, tables->scales);
 }
 
 HAARLIGHT_KERNEL void shadeByTable(const float4* __restrict__ positions,
@@ -62,8 +76,9 @@ HAARLIGHT_KERNEL void shadeByTable(const float4* __restrict__ positions,
   const Tile tile = loadTile(positions, normals);
   const SphereTable table = {tableEntries, tableGroups};
   const uint groups = mergeMasks(&tile, spheres, sphereCount, &table, mergeRoom, room);
-  shadeRows(room, BIT_CUBE_ROWS, 1, groups, receivers, lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales,
-            radiance);
+  const TileRows rows = {room, 1, BIT_CUBE_ROWS, groups};
+  const LobeTables tables = {lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales};
+  shadeTile(&rows, room, receivers, &tables, radiance);
 }
 
 HAARLIGHT_KERNEL void shadeExactly(const float4* __restrict__ positions,
@@ -81,6 +96,7 @@ HAARLIGHT_KERNEL void shadeExactly(const float4* __restrict__ positions,
   SAMPLE_LOCAL(uint, room, SHADE_ROOM);
   const Tile tile = loadTile(positions, normals);
   const uint groups = mergeCaps(&tile, spheres, sphereCount, caps, room);
-  shadeRows(room, 1, TILE, groups, receivers, lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales,
-            radiance);
+  const TileRows rows = {room, TILE, 1, groups};
+  const LobeTables tables = {lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales};
+  shadeTile(&rows, room, receivers, &tables, radiance);
 }

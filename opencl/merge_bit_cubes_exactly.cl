@@ -25,16 +25,48 @@ inline Caps capsOf(SeenSpheres seen) {
   return caps;
 }
 
-// Components along a face's direction and its s and t axes.
+// Caps on a face: components of the vector to the centre along the face's direction and its s and t
+// axes, and what all rows of the face need for the ends of their intervals.
 typedef struct {
-  LaneFloat major, alongS, alongT;
-} FaceComponents;
+  LaneFloat major, alongS, alongT, rim;
+  LaneFloat leading;         // rim - alongS^2
+  LaneFloat inverseLeading;  // 1 / leading, nearly
+} FaceCaps;
 
-inline FaceComponents onFace(uint face, Caps caps) {
-  const FaceComponents components[FACES] = {
-      {caps.x, -caps.z, -caps.y}, {-caps.x, caps.z, -caps.y}, {caps.y, caps.x, caps.z},
-      {-caps.y, caps.x, -caps.z}, {caps.z, caps.x, -caps.y},  {-caps.z, -caps.x, -caps.y}};
-  return components[face];
+inline LaneFloat nearInverseRoot(LaneFloat x) {
+  LaneFloat inverse = LANE_FLOAT_OF_BITS(0x5f3759dfu - (BITS_OF_LANE_FLOAT(x) >> 1));
+  const LaneFloat part = 0.5f * x;
+  inverse = inverse * (1.5f - part * inverse * inverse);
+  return inverse * (1.5f - part * inverse * inverse);
+}
+
+inline FaceCaps faceCaps(LaneFloat major, LaneFloat alongS, LaneFloat alongT, LaneFloat rim) {
+  const LaneFloat leading = rim - alongS * alongS;
+  const LaneFloat rough = nearInverseRoot(leading);
+  const LaneFloat inverse = rough * (1.5f - 0.5f * leading * rough * rough);
+  const FaceCaps caps = {major, alongS, alongT, rim, leading, inverse * inverse};
+  return caps;
+}
+
+inline FaceCaps onFace(uint face, const Caps* caps) {
+  switch (face) {
+    case 0: return faceCaps(caps->x, -caps->z, -caps->y, caps->rim);
+    case 1: return faceCaps(-caps->x, caps->z, -caps->y, caps->rim);
+    case 2: return faceCaps(caps->y, caps->x, caps->z, caps->rim);
+    case 3: return faceCaps(-caps->y, caps->x, -caps->z, caps->rim);
+    case 4: return faceCaps(caps->z, caps->x, -caps->y, caps->rim);
+    default: return faceCaps(-caps->z, -caps->x, -caps->y, caps->rim);
+  }
+}
+
+// Whether the ends of intervals that intervalOfRow() finds are less than half a column wrong, and
+// products stay within float32. Roots are within 4,000 columns of the face's centre then, and neither
+// the rounding of `leading` nor a relative error of 10^-5 moves them by more than a tenth.
+inline LaneInt haveSafeEnds(const FaceCaps* caps) {
+  const LaneFloat height = fabs(caps->major) + fabs(caps->alongT);
+  const LaneFloat most = 250.0f * caps->leading;
+  return (caps->leading > 1e-10f) & (caps->rim < 1e15f) & (64.0f * caps->leading > caps->rim) &
+         (height * height * caps->rim < most * most);
 }
 
 // Coordinates of the centres of rows or columns.
@@ -67,13 +99,13 @@ inline LaneInt reachedFaces(LaneFloat x, LaneFloat y, LaneFloat z, LaneFloat rim
   return faces;
 }
 
-// Rows of a face: c.D = atCenter + s * alongS, |c|^2 = lengthSquared + s^2.
+// A row of a face: c.D = atCenter + s * alongS, |c|^2 = lengthSquared + s^2.
 typedef struct {
   LaneFloat atCenter, lengthSquared, alongS, rim;
 } Rows;
 
-inline Rows rowsAt(FaceComponents components, LaneFloat t, LaneFloat rim) {
-  const Rows rows = {components.major + t * components.alongT, 1.0f + t * t, components.alongS, rim};
+inline Rows rowsAt(const FaceCaps* caps, LaneFloat t) {
+  const Rows rows = {caps->major + t * caps->alongT, 1.0f + t * t, caps->alongS, caps->rim};
   return rows;
 }
 
@@ -126,51 +158,37 @@ inline LaneUint rowBitsByBisection(Rows rows) {
   return select((LaneUint)0, columnBits(first, last), isBlocked(rows, inside));
 }
 
-// 1 / sqrt(x) to some five digits: an estimate from the exponent and two steps of Newton's method. It
-// decides no bit.
-inline LaneFloat inverseRoot(LaneFloat x) {
-  LaneFloat inverse = LANE_FLOAT_OF_BITS(0x5f3759dfu - (BITS_OF_LANE_FLOAT(x) >> 1));
-  for (int step = 0; step < 2; ++step)
-    inverse = inverse * (1.5f - 0.5f * x * inverse * inverse);
-  return inverse;
-}
-
-// The ends from the roots of (c.D)^2 = |c|^2 rim, a quadratic in s. Rounding may put them into a
-// wrong column, so they count only where the test itself agrees on both sides of them. Where products
-// could leave float32, or the cap holds the face's s axis, ends are found by bisection.
-inline LaneUint endsOfRow(Rows rows) {
-  const LaneFloat leading = rows.rim - rows.alongS * rows.alongS;
-  const LaneInt safe = (leading > 1e-10f) & (rows.rim < 1e15f);
-  const LaneFloat inverseOfRoot = inverseRoot(leading);
-  const LaneFloat scale = 16.0f * inverseOfRoot * inverseOfRoot;  // columns per s, over leading
-  const LaneFloat discriminant =
-      rows.rim * (rows.atCenter * rows.atCenter - rows.lengthSquared * leading);
-  const LaneFloat positive = fmax(discriminant, (LaneFloat)1e-30f);
-  const LaneFloat reach = positive * inverseRoot(positive) * scale;
-  const LaneFloat middle = 15.5f + (rows.atCenter * rows.alongS) * scale;
+// From -1 to 32.
+inline LaneInt nearestColumnTo(LaneFloat place) {
   const LaneFloat low = (LaneFloat)-1.0f, high = (LaneFloat)FACE_SIZE;
-  const LaneFloat begin = fmin(fmax(middle - reach, low), high),
-                  end = fmin(fmax(middle + reach, low), high);
-  const LaneInt first = max(TO_LANE_INT(ceil(begin)), (LaneInt)0),
-                last = min(TO_LANE_INT(floor(end)), (LaneInt)(FACE_SIZE - 1));
-  const LaneInt atFirst = isBlocked(rows, min(first, (LaneInt)(FACE_SIZE - 1))),
-                atLast = isBlocked(rows, max(last, (LaneInt)0)),
-                before = (first > 0) & isBlocked(rows, first - 1),
-                after = (last < FACE_SIZE - 1) & isBlocked(rows, last + 1);
-  const LaneInt empty = first > last;
-  const LaneInt wrong = select(!(atFirst & atLast & !before & !after), atFirst | atLast, empty);
-  if (ANY_LANE(wrong | !safe)) return rowBitsByBisection(rows);
-  return select(columnBits(first, last), (LaneUint)0, empty);
+  return TO_LANE_INT(fmin(fmax(place, low), high) + 1.5f) - 1;
 }
 
-inline LaneUint rowBits(Rows rows) {
-  const LaneInt mayBe = mayBeBlocked(rows);
-  return ANY_LANE(mayBe) ? select((LaneUint)0, endsOfRow(rows), mayBe) : (LaneUint)0;
+// The interval from the roots of (c.D)^2 = |c|^2 rim, a quadratic in s. A root is so near to the true
+// one that all columns but the nearest are clear; that one is left to the test.
+inline LaneUint intervalOfRow(const FaceCaps* caps, Rows rows) {
+  const LaneFloat discriminant =
+      caps->rim * (rows.atCenter * rows.atCenter - rows.lengthSquared * caps->leading);
+  const LaneFloat positive = fmax(discriminant, (LaneFloat)1e-30f);
+  const LaneFloat scale = 16.0f * caps->inverseLeading;  // columns per s, over leading
+  const LaneFloat reach = positive * nearInverseRoot(positive) * scale;
+  const LaneFloat middle = 15.5f + (rows.atCenter * rows.alongS) * scale;
+  const LaneInt nearBegin = nearestColumnTo(middle - reach), nearEnd = nearestColumnTo(middle + reach);
+  const LaneInt first = max(select(nearBegin + 1, nearBegin, isBlocked(rows, nearBegin)), (LaneInt)0),
+                last = min(select(nearEnd - 1, nearEnd, isBlocked(rows, nearEnd)),
+                           (LaneInt)(FACE_SIZE - 1));
+  return select((LaneUint)0, columnBits(first, last), (first <= last) & (rows.atCenter > 0.0f));
 }
 
 #if LANES_PER_ITEM == 1
 // Caps and the faces they reach.
 #define CAP_FLOATS (5 * LANES)
+
+inline uint rowBits(const FaceCaps* caps, int row) {
+  const Rows rows = rowsAt(caps, centerCoordinate(row));
+  if (!mayBeBlocked(rows)) return 0;
+  return haveSafeEnds(caps) ? intervalOfRow(caps, rows) : rowBitsByBisection(rows);
+}
 
 // The union for one sample; `room` is for CAP_FLOATS numbers.
 inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphereCount,
@@ -190,9 +208,10 @@ inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphe
       const Caps caps = {room[i], room[i + LANES], room[i + 2 * LANES], room[i + 3 * LANES]};
       const uint faces = as_uint(room[i + 4 * LANES]);
       for (uint face = 0; face < FACES; ++face)
-        if (faces >> face & 1)
-          rows[face * FACE_SIZE + FIRST_LANE] |=
-              rowBits(rowsAt(onFace(face, caps), centerCoordinate(FIRST_LANE), caps.rim));
+        if (faces >> face & 1) {
+          const FaceCaps onThis = onFace(face, &caps);
+          rows[face * FACE_SIZE + FIRST_LANE] |= rowBits(&onThis, FIRST_LANE);
+        }
     }
     LANE_BARRIER();
   }
@@ -200,6 +219,44 @@ inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphe
 }
 #else
 #define CAP_FLOATS 1
+
+// Rows that any of a tile's caps may reach.
+typedef struct {
+  int first, last;
+} RowRange;
+
+// A cap's rows, rounded down, from the roots of (atCenter^2 / lengthSquared + alongS^2) = rim, a quadratic in t, and a
+// quarter of a row more. Where the cap holds the t axis, nearly, all rows.
+inline RowRange reachedRows(const FaceCaps* caps, LaneInt reached, LaneInt safe) {
+  const LaneFloat square = caps->alongT * caps->alongT, leading = caps->leading - square;
+  const LaneFloat beyond = (caps->major * caps->major + square) - caps->leading;
+  const LaneFloat inverse = nearInverseRoot(leading), scale = 16.0f * inverse * inverse;
+  const LaneFloat discriminant = fmax(caps->leading * beyond, (LaneFloat)1e-30f);
+  const LaneFloat reach = discriminant * nearInverseRoot(discriminant) * scale + 0.25f;
+  const LaneFloat middle = 15.5f + (caps->major * caps->alongT) * scale;
+  const LaneFloat low = (LaneFloat)0.0f, high = (LaneFloat)(FACE_SIZE - 1);
+  const LaneInt known = (64.0f * leading > caps->rim) & safe;
+  const LaneFloat first = select(low, fmin(fmax(middle - reach, low), high), known),
+                  last = select(high, fmin(fmax(middle + reach, low), high), known);
+  const RowRange range = {
+      smallestElement(select((LaneInt)FACE_SIZE, TO_LANE_INT(first), reached)),
+      -smallestElement(select((LaneInt)1, -TO_LANE_INT(last), reached))};
+  return range;
+}
+
+// Adds the caps of one sphere to a face of all samples; tells which of its two groups that may fill.
+inline uint addCaps(const FaceCaps* caps, LaneInt reached, __local LaneUint* rows) {
+  const LaneInt safe = haveSafeEnds(caps);
+  const RowRange range = reachedRows(caps, reached, safe);
+  const bool allSafe = joinElements(TO_LANE_UINT(reached & !safe)) == 0;
+  for (int row = range.first; row <= range.last; ++row) {
+    const Rows own = rowsAt(caps, centerCoordinate((LaneInt)row));
+    const LaneUint bits = allSafe ? intervalOfRow(caps, own)
+                               : select((LaneUint)0, rowBitsByBisection(own), mayBeBlocked(own));
+    rows[row] |= select((LaneUint)0, bits, reached);
+  }
+  return (range.first < GROUP_ROWS ? 1 : 0) | (range.last >= GROUP_ROWS ? 2 : 0);
+}
 
 // The unions for a tile, row by row: row * 16 + sample.
 inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphereCount,
@@ -209,14 +266,13 @@ inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphe
   clearRows(rows);
   for (uint sphere = 0; sphere < sphereCount; ++sphere) {
     const Caps caps = capsOf(seeSphere(tile, spheres, stride, sphere));
-    uint reached = joinElements(TO_LANE_UINT(reachedFaces(caps.x, caps.y, caps.z, caps.rim)));
-    for (; reached; reached &= reached - 1) {
-      const uint face = 31 - clz(reached & -reached);
-      const FaceComponents components = onFace(face, caps);
-      occupied |= 3u << 2 * face;
-      for (uint row = 0; row < FACE_SIZE; ++row)
-        ((__local LaneUint*)rows)[face * FACE_SIZE + row] |=
-            rowBits(rowsAt(components, centerCoordinate((LaneInt)row), caps.rim));
+    const LaneInt faces = reachedFaces(caps.x, caps.y, caps.z, caps.rim);
+    for (uint reached = joinElements(TO_LANE_UINT(faces)); reached; reached &= reached - 1) {
+      const uint bit = reached & -reached, face = 31 - clz(bit);
+      const FaceCaps own = onFace(face, &caps);
+      occupied |= addCaps(&own, (faces & (LaneInt)bit) != 0,
+                          (__local LaneUint*)rows + face * FACE_SIZE)
+                  << 2 * face;
     }
   }
   return occupied;

@@ -1,15 +1,19 @@
 // All steps of a sample in one kernel, from spheres to radiance; nothing but the radiance is written.
 // The triple product is the sum of the weights of the blocked texels (src/engine/square_weights.h).
 
-// Adds the weights of a sample's blocked texels; its rows lie `step` words apart, and only `groups`
-// of them hold any.
+// The bit cubes of a tile: rows of a sample lie `rowStep` words apart, samples `sampleStep`; only
+// `groups` of them hold blocked texels.
+typedef struct {
+  __local const uint* rows;
+  uint rowStep, sampleStep, groups;
+} TileRows;
+
 #if LANES_PER_ITEM == 1
-// A lane takes a column of every row.
-inline uint4 addBlockedTexels(__local const uint* rows, uint step, uint groups,
-                              __global const uint* weights) {
+// The weights of the sample's blocked texels; a lane takes a column of every row.
+inline uint4 addBlockedTexels(const TileRows* tile, __global const uint* weights) {
   uint4 sum = (uint4)(0);
   for (uint row = 0; row < BIT_CUBE_ROWS; ++row) {
-    const uint bits = rows[row * step];
+    const uint bits = tile->rows[row];
     if (bits == 0) continue;
     const uint mask = -(bits >> FIRST_LANE & 1);
     __global const uint* own = weights + row * 3 * FACE_SIZE + FIRST_LANE;
@@ -17,34 +21,81 @@ inline uint4 addBlockedTexels(__local const uint* rows, uint step, uint groups,
   }
   return sum;
 }
+
+inline void addLobe(const TileRows* tile, __global const uint* texelWeights, const Blend* blends,
+                    uint lobe, uint4* sums) {
+  if (blends->weights[lobe] != 0.0f)
+    sums[lobe] = addBlockedTexels(tile, texelWeights + (size_t)TEXEL_WEIGHTS * blends->slots[lobe]);
+}
 #else
+// Sums of the columns of a row: an element of a vector takes one column and the one 16 to its right.
+typedef struct {
+  uint16 red, green, blue;
+} ColumnSums;
+
+inline void addRow(ColumnSums* sums, uint bits, __global const uint16* weights) {
+  const uint16 columns = (uint16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192,
+                                  16384, 32768);
+  const int16 left = ((uint16)(bits) & columns) != 0,
+              right = ((uint16)(bits >> 16) & columns) != 0;
+  sums->red = select(sums->red, sums->red + weights[0], left);
+  sums->green = select(sums->green, sums->green + weights[2], left);
+  sums->blue = select(sums->blue, sums->blue + weights[4], left);
+  sums->red = select(sums->red, sums->red + weights[1], right);
+  sums->green = select(sums->green, sums->green + weights[3], right);
+  sums->blue = select(sums->blue, sums->blue + weights[5], right);
+}
+
 inline uint addElements(uint16 v) {
   return (((v.s0 + v.s1) + (v.s2 + v.s3)) + ((v.s4 + v.s5) + (v.s6 + v.s7))) +
          (((v.s8 + v.s9) + (v.sa + v.sb)) + ((v.sc + v.sd) + (v.se + v.sf)));
 }
 
-// An element of a vector takes a column of every row, and the one 16 columns to its right.
-inline uint4 addBlockedTexels(__local const uint* rows, uint step, uint groups,
-                              __global const uint* weights) {
-  const uint16 columns = (uint16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192,
-                                  16384, 32768);
-  uint16 red = 0, green = 0, blue = 0;
-  for (; groups; groups &= groups - 1) {
-    const uint first = GROUP_ROWS * (31 - clz(groups & -groups));
-    for (uint row = first; row < first + GROUP_ROWS; ++row) {
-      __global const uint16* own = (__global const uint16*)(weights + row * 3 * FACE_SIZE);
-      const uint bits = rows[row * step];
-      const int16 left = ((uint16)(bits) & columns) != 0,
-                  right = ((uint16)(bits >> 16) & columns) != 0;
-      red = select(red, red + own[0], left);
-      green = select(green, green + own[2], left);
-      blue = select(blue, blue + own[4], left);
-      red = select(red, red + own[1], right);
-      green = select(green, green + own[3], right);
-      blue = select(blue, blue + own[5], right);
-    }
+inline uint4 total(ColumnSums sums) {
+  return (uint4)(addElements(sums.red), addElements(sums.green), addElements(sums.blue), 0);
+}
+
+#define NO_SUMS {(uint16)(0), (uint16)(0), (uint16)(0)}
+#define FOR_EACH_ROW(row)                                                                 \
+  for (uint left = tile->groups; left; left &= left - 1)                                  \
+    for (uint end = GROUP_ROWS * (32 - clz(left & -left)), row = end - GROUP_ROWS; row < end; ++row)
+
+// The weights of a sample's blocked texels.
+inline uint4 addBlockedTexels(const TileRows* tile, uint sample, __global const uint* weights) {
+  __local const uint* rows = tile->rows + sample * tile->sampleStep;
+  ColumnSums sums = NO_SUMS;
+  FOR_EACH_ROW(row)
+    addRow(&sums, rows[row * tile->rowStep], (__global const uint16*)weights + 6 * row);
+  return total(sums);
+}
+
+// The same for two samples at once, so that weights are read once.
+inline void addBlockedTexelsOfTwo(const TileRows* tile, uint sample, __global const uint* weights,
+                                  uint4* one, uint4* other) {
+  __local const uint* rows = tile->rows + sample * tile->sampleStep;
+  __local const uint* otherRows = rows + tile->sampleStep;
+  ColumnSums sums = NO_SUMS, otherSums = NO_SUMS;
+  FOR_EACH_ROW(row) {
+    __global const uint16* own = (__global const uint16*)weights + 6 * row;
+    addRow(&sums, rows[row * tile->rowStep], own);
+    addRow(&otherSums, otherRows[row * tile->rowStep], own);
   }
-  return (uint4)(addElements(red), addElements(green), addElements(blue), 0);
+  *one = total(sums);
+  *other = total(otherSums);
+}
+
+// One lobe's sums of two samples that follow each other.
+inline void addLobeOfTwo(const TileRows* tile, uint sample, __global const uint* texelWeights,
+                         const Blend* blends, uint lobe, uint4* sums, uint4* otherSums) {
+  __global const uint* own = texelWeights + (size_t)TEXEL_WEIGHTS * blends[0].slots[lobe];
+  __global const uint* other = texelWeights + (size_t)TEXEL_WEIGHTS * blends[1].slots[lobe];
+  const bool isUsed = blends[0].weights[lobe] != 0.0f, otherIsUsed = blends[1].weights[lobe] != 0.0f;
+  if (isUsed && otherIsUsed && own == other) {
+    addBlockedTexelsOfTwo(tile, sample, own, sums + lobe, otherSums + lobe);
+  } else {
+    if (isUsed) sums[lobe] = addBlockedTexels(tile, sample, own);
+    if (otherIsUsed) otherSums[lobe] = addBlockedTexels(tile, sample + 1, other);
+  }
 }
 #endif
 
@@ -52,26 +103,51 @@ inline uint4 addBlockedTexels(__local const uint* rows, uint step, uint groups,
 #define SHADE_ROOM \
   (TILE * BIT_CUBE_ROWS > LOBE_SUMS * LANES ? TILE * BIT_CUBE_ROWS : LOBE_SUMS * LANES)
 
-// Radiance of the samples of a tile from their blocked texels in `room`, which is room for the sums of
-// lanes, too.
-inline void shadeRows(__local uint* room, uint sampleStep, uint rowStep, uint groups, __global const LobeBlend* receivers,
-                      uint lobesPerReceiver, __global const uint* lobeSlots,
-                      __global const uint* texelWeights, __global const uint4* unshadowed,
-                      __global const float4* scales, __global float4* radiance) {
+// What radiance takes from the host: the lobes' tables.
+typedef struct {
+  uint lobesPerReceiver;
+  __global const uint* lobeSlots;
+  __global const uint* texelWeights;
+  __global const uint4* unshadowed;
+  __global const float4* scales;
+} LobeTables;
+
+// Radiance of the samples of a tile from their blocked texels. `room` holds them and is room for the
+// sums of lanes, too.
+#if LANES_PER_ITEM == 1
+inline void shadeTile(const TileRows* tile, __local uint* room,
+                      __global const LobeBlend* receivers, const LobeTables* tables,
+                      __global float4* radiance) {
+  const Blend blend =
+      blendOf(receivers[FIRST_OF_TILE], tables->lobesPerReceiver, tables->lobeSlots);
+  uint4 sums[3] = {(uint4)(0), (uint4)(0), (uint4)(0)};
   LANE_BARRIER();
-  for (size_t i = 0; i < TILE; ++i) {
-    const Blend blend = blendOf(receivers[FIRST_OF_TILE + i], lobesPerReceiver, lobeSlots);
+  for (uint lobe = 0; lobe < blend.count; ++lobe)
+    addLobe(tile, tables->texelWeights, &blend, lobe, sums);
+  LANE_BARRIER();
+  addOverLanes(sums, room);
+  if (FIRST_LANE == 0)
+    radiance[FIRST_OF_TILE] = blendRadiance(&blend, sums, tables->unshadowed, tables->scales);
+}
+#else
+inline void shadeTile(const TileRows* tile, __local uint* room,
+                      __global const LobeBlend* receivers, const LobeTables* tables,
+                      __global float4* radiance) {
+  for (size_t i = 0; i < TILE; i += 2) {
+    __global const LobeBlend* own = receivers + FIRST_OF_TILE + i;
+    const Blend blends[2] = {blendOf(own[0], tables->lobesPerReceiver, tables->lobeSlots),
+                             blendOf(own[1], tables->lobesPerReceiver, tables->lobeSlots)};
     uint4 sums[3] = {(uint4)(0), (uint4)(0), (uint4)(0)};
-    for (uint lobe = 0; lobe < blend.count; ++lobe)
-      if (blend.weights[lobe] != 0.0f)
-        sums[lobe] = addBlockedTexels(room + i * sampleStep, rowStep, groups,
-                                      texelWeights + (size_t)TEXEL_WEIGHTS * blend.slots[lobe]);
-    LANE_BARRIER();
-    addOverLanes(sums, room);
-    if (FIRST_LANE == 0)
-      radiance[FIRST_OF_TILE + i] = blendRadiance(&blend, sums, unshadowed, scales);
+    uint4 otherSums[3] = {(uint4)(0), (uint4)(0), (uint4)(0)};
+    for (uint lobe = 0; lobe < tables->lobesPerReceiver; ++lobe)
+      addLobeOfTwo(tile, i, tables->texelWeights, blends, lobe, sums, otherSums);
+    radiance[FIRST_OF_TILE + i] =
+        blendRadiance(&blends[0], sums, tables->unshadowed, tables->scales);
+    radiance[FIRST_OF_TILE + i + 1] =
+        blendRadiance(&blends[1], otherSums, tables->unshadowed, tables->scales);
   }
 }
+#endif
 
 HAARLIGHT_KERNEL void shadeByTable(__global const float4* restrict positions,
                                    __global const float4* restrict normals,
@@ -91,8 +167,9 @@ HAARLIGHT_KERNEL void shadeByTable(__global const float4* restrict positions,
   const Tile tile = loadTile(positions, normals);
   const SphereTable table = {tableEntries, tableGroups};
   const uint groups = mergeMasks(&tile, spheres, sphereCount, &table, mergeRoom, room);
-  shadeRows(room, BIT_CUBE_ROWS, 1, groups, receivers, lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales,
-            radiance);
+  const TileRows rows = {room, 1, BIT_CUBE_ROWS, groups};
+  const LobeTables tables = {lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales};
+  shadeTile(&rows, room, receivers, &tables, radiance);
 }
 
 HAARLIGHT_KERNEL void shadeExactly(__global const float4* restrict positions,
@@ -110,6 +187,7 @@ HAARLIGHT_KERNEL void shadeExactly(__global const float4* restrict positions,
   SAMPLE_LOCAL(uint, room, SHADE_ROOM);
   const Tile tile = loadTile(positions, normals);
   const uint groups = mergeCaps(&tile, spheres, sphereCount, caps, room);
-  shadeRows(room, 1, TILE, groups, receivers, lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales,
-            radiance);
+  const TileRows rows = {room, TILE, 1, groups};
+  const LobeTables tables = {lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales};
+  shadeTile(&rows, room, receivers, &tables, radiance);
 }
