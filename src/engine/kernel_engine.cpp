@@ -18,6 +18,9 @@ double secondsSince(Clock::time_point start) {
 /// Receivers that the fused path works on at a time; they leave nothing but their radiance.
 constexpr std::size_t fusedBatch = 1 << 16;
 
+/// Lobes to have room for at least, so that small frames need not grow theirs.
+constexpr std::size_t smallestWindow = 16;
+
 /// Weights of all texels for one lobe.
 constexpr std::size_t texelWeightBytes = texelCount * sizeof(glm::uvec3);
 
@@ -382,7 +385,8 @@ CommandSeconds KernelEngine::openWindow(std::vector<std::uint32_t> slots) {
                 std::array<KernelArgument, 5>{
                     window_.slotNumbers, std::uint32_t(shading_.squareCount()), tables_.weights,
                     tables_.blockSquares,
-                    roomFor(window_.texelWeights, window_.slots.size(), texelWeightBytes)});
+                    roomFor(window_.texelWeights,
+                            std::max(window_.slots.size(), smallestWindow), texelWeightBytes)});
 }
 
 CommandSeconds KernelEngine::launchFused(std::size_t spheres, std::span<const LobeBlend> lobes) {
