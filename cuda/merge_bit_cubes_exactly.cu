@@ -29,7 +29,7 @@ __device__ inline Caps capsOf(SeenSpheres seen) {
 struct FaceCaps {
   float major, alongS, alongT, rim;
   float leading;         // rim - alongS^2
-  float inverseLeading;  // 1 / leading, nearly
+  float inverseLeading;  // 1 / |leading|, nearly
 };
 
 __device__ inline float nearInverseRoot(float x) {
@@ -41,8 +41,8 @@ __device__ inline float nearInverseRoot(float x) {
 
 __device__ inline FaceCaps faceCaps(float major, float alongS, float alongT, float rim) {
   const float leading = rim - alongS * alongS;
-  const float rough = nearInverseRoot(leading);
-  const float inverse = rough * (1.5f - 0.5f * leading * rough * rough);
+  const float size = fabsf(leading), rough = nearInverseRoot(size);
+  const float inverse = rough * (1.5f - 0.5f * size * rough * rough);
   const FaceCaps caps = {major, alongS, alongT, rim, leading, inverse * inverse};
   return caps;
 }
@@ -96,6 +96,12 @@ __device__ inline uint reachedFaces(float x, float y, float z, float rim) {
   REACH(5, -z, x, y)
 #undef REACH
   return faces;
+}
+
+// Whether caps hold the direction of the face's s axis, clearly, or that against it: rows have one end
+// then, and oneSidedRow() finds it.
+__device__ inline bool holdAxis(const FaceCaps* caps) {
+  return caps->leading < -1e-10f && caps->rim < 1e15f && 64.0f * caps->leading < -caps->rim;
 }
 
 // A row of a face: c.D = atCenter + s * alongS, |c|^2 = lengthSquared + s^2.
@@ -176,13 +182,34 @@ __device__ inline uint intervalOfRow(const FaceCaps* caps, Rows rows) {
   return first <= last && rows.atCenter > 0.0f ? columnBits(first, last) : 0;
 }
 
+// Where a cap holds one end of the s axis, all columns from the root on that side: the root is
+// (lengthSquared rim - atCenter^2) / (product + root) or (root - product) / |leading|, of which one
+// takes no difference of nearly equal numbers. s runs towards the held end here.
+__device__ inline uint oneSidedRow(const FaceCaps* caps, Rows rows) {
+  const bool turned = rows.alongS < 0.0f;
+  const float product = rows.atCenter * fabsf(rows.alongS), square = rows.atCenter * rows.atCenter;
+  const float discriminant =
+      fmaxf(caps->rim * (square - rows.lengthSquared * caps->leading), 1e-30f);
+  const float root = discriminant * nearInverseRoot(discriminant);
+  const float inverse = nearInverseRoot(fmaxf(product + root, 1e-30f));
+  const float ahead = (rows.lengthSquared * caps->rim - square) * (inverse * inverse),
+              behind = (root - product) * caps->inverseLeading;
+  const float begin = product > 0.0f ? ahead : behind;
+  const int near = nearestColumnTo(15.5f + 16.0f * begin);
+  const int column = turned ? FACE_SIZE - 1 - near : near;
+  const int first = max(isBlocked(rows, column) ? near : near + 1, 0);
+  const uint all = ~0u, shift = uint(min(first, FACE_SIZE - 1));
+  return first < FACE_SIZE ? (turned ? all >> shift : all << shift) : 0;
+}
+
 // Caps and the faces they reach.
 #define CAP_FLOATS (5 * LANES)
 
 __device__ inline uint rowBits(const FaceCaps* caps, int row) {
   const Rows rows = rowsAt(caps, centerCoordinate(row));
   if (!mayBeBlocked(rows)) return 0;
-  return haveSafeEnds(caps) ? intervalOfRow(caps, rows) : rowBitsByBisection(rows);
+  if (haveSafeEnds(caps)) return intervalOfRow(caps, rows);
+  return holdAxis(caps) ? oneSidedRow(caps, rows) : rowBitsByBisection(rows);
 }
 
 // The union for one sample; `room` is for CAP_FLOATS numbers.

@@ -30,7 +30,7 @@ inline Caps capsOf(SeenSpheres seen) {
 typedef struct {
   LaneFloat major, alongS, alongT, rim;
   LaneFloat leading;         // rim - alongS^2
-  LaneFloat inverseLeading;  // 1 / leading, nearly
+  LaneFloat inverseLeading;  // 1 / |leading|, nearly
 } FaceCaps;
 
 inline LaneFloat nearInverseRoot(LaneFloat x) {
@@ -42,8 +42,8 @@ inline LaneFloat nearInverseRoot(LaneFloat x) {
 
 inline FaceCaps faceCaps(LaneFloat major, LaneFloat alongS, LaneFloat alongT, LaneFloat rim) {
   const LaneFloat leading = rim - alongS * alongS;
-  const LaneFloat rough = nearInverseRoot(leading);
-  const LaneFloat inverse = rough * (1.5f - 0.5f * leading * rough * rough);
+  const LaneFloat size = fabs(leading), rough = nearInverseRoot(size);
+  const LaneFloat inverse = rough * (1.5f - 0.5f * size * rough * rough);
   const FaceCaps caps = {major, alongS, alongT, rim, leading, inverse * inverse};
   return caps;
 }
@@ -97,6 +97,12 @@ inline LaneInt reachedFaces(LaneFloat x, LaneFloat y, LaneFloat z, LaneFloat rim
   REACH(5, -z, x, y)
 #undef REACH
   return faces;
+}
+
+// Whether caps hold the direction of the face's s axis, clearly, or that against it: rows have one end
+// then, and oneSidedRow() finds it.
+inline LaneInt holdAxis(const FaceCaps* caps) {
+  return (caps->leading < -1e-10f) & (caps->rim < 1e15f) & (64.0f * caps->leading < -caps->rim);
 }
 
 // A row of a face: c.D = atCenter + s * alongS, |c|^2 = lengthSquared + s^2.
@@ -180,6 +186,27 @@ inline LaneUint intervalOfRow(const FaceCaps* caps, Rows rows) {
   return select((LaneUint)0, columnBits(first, last), (first <= last) & (rows.atCenter > 0.0f));
 }
 
+// Where a cap holds one end of the s axis, all columns from the root on that side: the root is
+// (lengthSquared rim - atCenter^2) / (product + root) or (root - product) / |leading|, of which one
+// takes no difference of nearly equal numbers. s runs towards the held end here.
+inline LaneUint oneSidedRow(const FaceCaps* caps, Rows rows) {
+  const LaneInt turned = rows.alongS < 0.0f;
+  const LaneFloat product = rows.atCenter * fabs(rows.alongS), square = rows.atCenter * rows.atCenter;
+  const LaneFloat discriminant =
+      fmax(caps->rim * (square - rows.lengthSquared * caps->leading), (LaneFloat)1e-30f);
+  const LaneFloat root = discriminant * nearInverseRoot(discriminant);
+  const LaneFloat inverse = nearInverseRoot(fmax(product + root, (LaneFloat)1e-30f));
+  const LaneFloat ahead = (rows.lengthSquared * caps->rim - square) * (inverse * inverse),
+                  behind = (root - product) * caps->inverseLeading;
+  const LaneFloat begin = select(behind, ahead, (LaneInt)(product > 0.0f));
+  const LaneInt near = nearestColumnTo(15.5f + 16.0f * begin);
+  const LaneInt column = select(near, FACE_SIZE - 1 - near, turned);
+  const LaneInt first = max(select(near + 1, near, isBlocked(rows, column)), (LaneInt)0);
+  const LaneUint all = ~0u, shift = TO_LANE_UINT(min(first, (LaneInt)(FACE_SIZE - 1)));
+  return select((LaneUint)0, select(all << shift, all >> shift, turned),
+                (LaneInt)(first < FACE_SIZE));
+}
+
 #if LANES_PER_ITEM == 1
 // Caps and the faces they reach.
 #define CAP_FLOATS (5 * LANES)
@@ -187,7 +214,8 @@ inline LaneUint intervalOfRow(const FaceCaps* caps, Rows rows) {
 inline uint rowBits(const FaceCaps* caps, int row) {
   const Rows rows = rowsAt(caps, centerCoordinate(row));
   if (!mayBeBlocked(rows)) return 0;
-  return haveSafeEnds(caps) ? intervalOfRow(caps, rows) : rowBitsByBisection(rows);
+  if (haveSafeEnds(caps)) return intervalOfRow(caps, rows);
+  return holdAxis(caps) ? oneSidedRow(caps, rows) : rowBitsByBisection(rows);
 }
 
 // The union for one sample; `room` is for CAP_FLOATS numbers.
@@ -248,11 +276,15 @@ inline RowRange reachedRows(const FaceCaps* caps, LaneInt reached, LaneInt safe)
 inline uint addCaps(const FaceCaps* caps, LaneInt reached, __local LaneUint* rows) {
   const LaneInt safe = haveSafeEnds(caps);
   const RowRange range = reachedRows(caps, reached, safe);
-  const bool allSafe = joinElements(TO_LANE_UINT(reached & !safe)) == 0;
+  const LaneInt oneSided = holdAxis(caps) & !safe, other = reached & !safe & !oneSided;
+  const bool anyOneSided = joinElements(TO_LANE_UINT(reached & oneSided)) != 0;
+  const bool anyOther = joinElements(TO_LANE_UINT(other)) != 0;
   for (int row = range.first; row <= range.last; ++row) {
     const Rows own = rowsAt(caps, centerCoordinate((LaneInt)row));
-    const LaneUint bits = allSafe ? intervalOfRow(caps, own)
-                               : select((LaneUint)0, rowBitsByBisection(own), mayBeBlocked(own));
+    LaneUint bits = intervalOfRow(caps, own);
+    if (anyOneSided) bits = select(bits, oneSidedRow(caps, own), oneSided);
+    if (anyOther)
+      bits = select(bits, select((LaneUint)0, rowBitsByBisection(own), mayBeBlocked(own)), other);
     rows[row] |= select((LaneUint)0, bits, reached);
   }
   return (range.first < GROUP_ROWS ? 1 : 0) | (range.last >= GROUP_ROWS ? 2 : 0);

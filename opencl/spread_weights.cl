@@ -22,21 +22,46 @@ inline uint coarseWeight(__global const uint4* weights, uint face, uint x, uint 
          onQuarter(own[3 * third], x & 1, y & 1);
 }
 
-// The texels of a block, of one channel.
-inline void spreadBlock(__global const uint4* weights, __global const uint* squares, uint block,
+// The texels of a block that no finer square of the list lies in.
+inline void fillBlock(uint weight, __global uint* texels) {
+  for (uint row = 0; row < 4; ++row)
+    for (uint column = 0; column < 4; ++column) texels[row * 3 * FACE_SIZE + column] = weight;
+}
+
+// The texels of any block. `squares` are its own square and its quarters'.
+inline void spreadBlock(__global const uint4* weights, __global const uint* squares, uint coarse,
                         __global uint* texels) {
-  const uint face = block / BLOCKS_PER_FACE, place = block % BLOCKS_PER_FACE;
-  const uint x = place % BLOCKS_PER_SIDE, y = place / BLOCKS_PER_SIDE;
-  const uint coarse = coarseWeight(weights, face, x, y);
   for (uint quarter = 0; quarter < 4; ++quarter) {
     const uint right = quarter & 1, bottom = quarter >> 1;
-    const uint base = coarse + weightOn(weights, squares[5 * block], right, bottom);
-    for (uint texel = 0; texel < 4; ++texel) {
-      const uint column = 4 * x + 2 * right + (texel & 1),
-                 row = face * FACE_SIZE + 4 * y + 2 * bottom + (texel >> 1);
-      texels[row * 3 * FACE_SIZE + column] =
-          base + weightOn(weights, squares[5 * block + 1 + quarter], texel & 1, texel >> 1);
-    }
+    const uint base = coarse + weightOn(weights, squares[0], right, bottom);
+    for (uint texel = 0; texel < 4; ++texel)
+      texels[(2 * bottom + (texel >> 1)) * 3 * FACE_SIZE + 2 * right + (texel & 1)] =
+          base + weightOn(weights, squares[1 + quarter], texel & 1, texel >> 1);
+  }
+}
+
+// Whether the list has the block's square or one of its quarters.
+inline bool hasFineSquares(__global const uint* squares) {
+  uint smallest = ABSENT_SQUARE;
+  for (uint i = 0; i < 5; ++i) smallest = min(smallest, squares[i]);
+  return smallest != ABSENT_SQUARE;
+}
+
+// A block in all channels.
+inline void spreadChannels(__global const uint4* weights, __global const uint* blockSquares, uint block,
+                           __global uint* texelWeights) {
+  const uint face = block / BLOCKS_PER_FACE, place = block % BLOCKS_PER_FACE;
+  const uint x = place % BLOCKS_PER_SIDE, y = place / BLOCKS_PER_SIDE;
+  __global const uint* squares = blockSquares + 5 * block;
+  const bool isFine = hasFineSquares(squares);
+  for (uint channel = 0; channel < 3; ++channel) {
+    const uint coarse = coarseWeight(weights + channel, face, x, y);
+    __global uint* texels =
+        texelWeights + ((face * FACE_SIZE + 4 * y) * 3 + channel) * FACE_SIZE + 4 * x;
+    if (isFine)
+      spreadBlock(weights + channel, squares, coarse, texels);
+    else
+      fillBlock(coarse, texels);
   }
 }
 
@@ -48,6 +73,5 @@ HAARLIGHT_KERNEL void spreadWeights(__global const uint* restrict slots, const u
   __global uint* texels = texelWeights + SAMPLE * TEXEL_WEIGHTS;
   for (uint first = 0; first < BLOCKS; first += LANES)
     FOR_EACH_LANE(lane)
-      for (uint channel = 0; channel < 3; ++channel)
-        spreadBlock(own + channel, blockSquares, first + lane, texels + channel * FACE_SIZE);
+      spreadChannels(own, blockSquares, first + lane, texels);
 }
