@@ -1,6 +1,6 @@
 // Weights of squares become weights of texels (src/engine/square_weights.h), for one lobe per sample
-// number: its slot stands in `slots`. Out: row · 96 + channel · 32 + column. The scalar twin is
-// spreadOverTexels(). A lane takes every 32nd block of 4x4 texels.
+// number: that of slots[i] goes to places[i]. Out: row · 96 + channel · 32 + column. The scalar twin
+// is spreadOverTexels(). A lane takes every 32nd block of 4x4 texels.
 
 __device__ inline uint onQuarter(uint4 weight, uint right, uint bottom) {
   const uint horizontal = right ? 0u - weight.x : weight.x,
@@ -66,12 +66,13 @@ __device__ inline void spreadChannels(const uint4* weights, const uint* blockSqu
   }
 }
 
-HAARLIGHT_KERNEL void spreadWeights(const uint* __restrict__ slots, const uint squareCount,
+HAARLIGHT_KERNEL void spreadWeights(const uint* __restrict__ slots,
+                                    const uint* __restrict__ places, const uint squareCount,
                                     const uint4* __restrict__ weights,
                                     const uint* __restrict__ blockSquares,
                                     uint* __restrict__ texelWeights) {
   const uint4* own = weights + size_t(3) * squareCount * slots[SAMPLE];
-  uint* texels = texelWeights + SAMPLE * TEXEL_WEIGHTS;
+  uint* texels = texelWeights + size_t(TEXEL_WEIGHTS) * places[SAMPLE];
   for (uint block = LANE; block < BLOCKS; block += LANES)
     spreadChannels(own, blockSquares, block, texels);
 }

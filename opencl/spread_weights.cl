@@ -1,6 +1,6 @@
 // Weights of squares become weights of texels (src/engine/square_weights.h), for one lobe per sample
-// number: its slot stands in `slots`. Out: row · 96 + channel · 32 + column. The scalar twin is
-// spreadOverTexels(). A lane takes every 32nd block of 4x4 texels.
+// number: that of slots[i] goes to places[i]. Out: row · 96 + channel · 32 + column. The scalar twin
+// is spreadOverTexels(). A lane takes every 32nd block of 4x4 texels.
 
 inline uint onQuarter(uint4 weight, uint right, uint bottom) {
   const uint horizontal = right ? -weight.x : weight.x, vertical = bottom ? -weight.y : weight.y,
@@ -65,12 +65,13 @@ inline void spreadChannels(__global const uint4* weights, __global const uint* b
   }
 }
 
-HAARLIGHT_KERNEL void spreadWeights(__global const uint* restrict slots, const uint squareCount,
+HAARLIGHT_KERNEL void spreadWeights(__global const uint* restrict slots,
+                                    __global const uint* restrict places, const uint squareCount,
                                     __global const uint4* restrict weights,
                                     __global const uint* restrict blockSquares,
                                     __global uint* restrict texelWeights) {
   __global const uint4* own = weights + (size_t)3 * squareCount * slots[SAMPLE];
-  __global uint* texels = texelWeights + SAMPLE * TEXEL_WEIGHTS;
+  __global uint* texels = texelWeights + (size_t)TEXEL_WEIGHTS * places[SAMPLE];
   for (uint first = 0; first < BLOCKS; first += LANES)
     FOR_EACH_LANE(lane)
       spreadChannels(own, blockSquares, first + lane, texels);

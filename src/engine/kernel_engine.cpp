@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "engine/growing_buffer.h"
+#include "engine/lobe_window.h"
 
 namespace haarlight {
 
@@ -17,9 +18,6 @@ double secondsSince(Clock::time_point start) {
 
 /// Receivers that the fused path works on at a time; they leave nothing but their radiance.
 constexpr std::size_t fusedBatch = 1 << 16;
-
-/// Lobes to have room for at least, so that small frames need not grow theirs.
-constexpr std::size_t smallestWindow = 16;
 
 /// Weights of all texels for one lobe.
 constexpr std::size_t texelWeightBytes = texelCount * sizeof(glm::uvec3);
@@ -41,12 +39,10 @@ struct DeviceTables {
   GrowingBuffer lobeSlots, squarePlaces, blockSquares, weights, unshadowed, scales;
 };
 
-/// Lobes whose weights are spread over texels, on the device: those of all receivers where they
-/// fit, else those of a batch. Slots are numbered within the window.
-struct LobeWindow {
-  /// Slots of the shading tables, in order of the window's.
-  std::vector<std::uint32_t> slots;
-  GrowingBuffer slotNumbers, lobeSlots, unshadowed, scales, texelWeights;
+/// The lobes whose weights are spread over texels, on the device, by their places.
+struct DeviceWindow {
+  LobeWindow places;
+  GrowingBuffer newSlots, newPlaces, lobePlaces, unshadowed, scales, texelWeights;
 };
 
 /// What spheres follow, on the device.
@@ -111,8 +107,7 @@ class KernelEngine final : public Engine {
   CommandSeconds launchTripleProduct(std::span<const LobeBlend> lobes);
   void shadeStaged(std::size_t spheres, ReceiverSpan receivers, std::span<glm::vec4> radiance,
                    StageTimes& times);
-  std::vector<std::uint32_t> slotsOf(std::span<const LobeBlend> lobes) const;
-  CommandSeconds openWindow(std::vector<std::uint32_t> slots);
+  CommandSeconds openWindow(const std::vector<std::uint32_t>& slots);
   CommandSeconds launchFused(std::size_t spheres, std::span<const LobeBlend> lobes);
   void shadeFused(std::size_t spheres, ReceiverSpan receivers, std::span<glm::vec4> radiance,
                   StageTimes& times);
@@ -129,7 +124,7 @@ class KernelEngine final : public Engine {
   BatchBuffers batch_;
   ShadingTables shading_;
   DeviceTables tables_;
-  LobeWindow window_;
+  DeviceWindow window_;
   DeviceBinding binding_;
   double preparationSeconds_ = 0;
 };
@@ -254,7 +249,7 @@ CommandSeconds KernelEngine::launchTripleProduct(std::span<const LobeBlend> lobe
 void KernelEngine::setShading(const ShadingTables& tables) {
   shading_ = tables;
   shading_.weights = {};  // on the device only
-  window_.slots.clear();
+  window_.places = LobeWindow(std::min(device_->lobeWindow(), tables.slotCount()));
   const auto& ends = tables.squareListEnds;
   tables_.squareListEnds = {ends[coarseSquares], ends[blockSquares], ends[quarterSquares], 0};
   upload(tables_.lobeSlots, std::span(tables.lobeSlots));
@@ -352,41 +347,33 @@ std::vector<glm::vec4> KernelEngine::tripleProduct(std::span<const OcclusionHaar
   return radiance;
 }
 
-/// Slots that the receivers' lobes have weight in.
-std::vector<std::uint32_t> KernelEngine::slotsOf(std::span<const LobeBlend> lobes) const {
-  std::vector<bool> used(shading_.slotCount());
-  for (const LobeBlend& blend : lobes)
-    for (int i = 0; i < 3; ++i)
-      if (blend.weights[i] != 0) used[shading_.lobeSlots[blend.lobes[i]]] = true;
-  std::vector<std::uint32_t> slots;
-  for (std::uint32_t slot = 0; slot < used.size(); ++slot)
-    if (used[slot]) slots.push_back(slot);
-  return slots;
-}
-
-/// Lobes beyond the window share its first slot; their receivers are not in the batch.
-CommandSeconds KernelEngine::openWindow(std::vector<std::uint32_t> slots) {
-  std::vector<std::uint32_t> numbers(shading_.slotCount());
+/// Gives the lobes of a batch their places; spreads the weights of those that had none.
+CommandSeconds KernelEngine::openWindow(const std::vector<std::uint32_t>& slots) {
+  LobeWindow::Change change = window_.places.open(slots);
+  if (change.slots.empty()) return [] { return 0.0; };
+  std::vector<std::uint32_t> lobePlaces;
+  for (const std::uint32_t slot : shading_.lobeSlots)
+    lobePlaces.push_back(window_.places.placeOf(slot));
+  upload(window_.lobePlaces, std::span<const std::uint32_t>(lobePlaces));
   std::vector<glm::uvec4> unshadowed;
   std::vector<glm::vec4> scales;
-  for (std::uint32_t i = 0; i < slots.size(); ++i) {
-    numbers[slots[i]] = i;
-    unshadowed.push_back(shading_.unshadowed[slots[i]]);
-    scales.push_back(shading_.scales[slots[i]]);
+  for (const std::uint32_t slot : window_.places.slots()) {
+    unshadowed.push_back(shading_.unshadowed[slot]);
+    scales.push_back(shading_.scales[slot]);
   }
-  std::vector<std::uint32_t> lobeSlots(lobeCount);
-  for (int lobe = 0; lobe < lobeCount; ++lobe) lobeSlots[lobe] = numbers[shading_.lobeSlots[lobe]];
-  upload(window_.lobeSlots, std::span<const std::uint32_t>(lobeSlots));
   upload(window_.unshadowed, std::span<const glm::uvec4>(unshadowed));
   upload(window_.scales, std::span<const glm::vec4>(scales));
-  uploadSamples(window_.slotNumbers, std::span<const std::uint32_t>(slots));
-  window_.slots = std::move(slots);
-  return launch("spreadWeights", window_.slots.size(),
-                std::array<KernelArgument, 5>{
-                    window_.slotNumbers, std::uint32_t(shading_.squareCount()), tables_.weights,
-                    tables_.blockSquares,
-                    roomFor(window_.texelWeights,
-                            std::max(window_.slots.size(), smallestWindow), texelWeightBytes)});
+  // Work-groups are full; the last lobe fills them up.
+  const std::size_t count = change.slots.size(), full = roundedUp(count, samplesPerGroup_);
+  change.slots.resize(full, change.slots.back());
+  change.places.resize(full, change.places.back());
+  upload(window_.newSlots, std::span<const std::uint32_t>(change.slots));
+  upload(window_.newPlaces, std::span<const std::uint32_t>(change.places));
+  return launch("spreadWeights", count,
+                std::array<KernelArgument, 6>{
+                    window_.newSlots, window_.newPlaces, std::uint32_t(shading_.squareCount()),
+                    tables_.weights, tables_.blockSquares,
+                    &room(window_.texelWeights, window_.places.capacity() * texelWeightBytes)});
 }
 
 CommandSeconds KernelEngine::launchFused(std::size_t spheres, std::span<const LobeBlend> lobes) {
@@ -396,35 +383,34 @@ CommandSeconds KernelEngine::launchFused(std::size_t spheres, std::span<const Lo
     return launchTiles("shadeByTable", lobes.size(),
                        std::array<KernelArgument, 13>{
                            batch_.positions, batch_.normals, batch_.lobes, spheres_, count,
-                           tableEntries_, tableGroups_, lobesPerReceiver(lobes), window_.lobeSlots,
+                           tableEntries_, tableGroups_, lobesPerReceiver(lobes), window_.lobePlaces,
                            window_.texelWeights, window_.unshadowed, window_.scales, radiance});
   return launchTiles("shadeExactly", lobes.size(),
                      std::array<KernelArgument, 11>{batch_.positions, batch_.normals, batch_.lobes,
                                                     spheres_, count, lobesPerReceiver(lobes),
-                                                    window_.lobeSlots, window_.texelWeights,
+                                                    window_.lobePlaces, window_.texelWeights,
                                                     window_.unshadowed, window_.scales, radiance});
 }
 
 /// Halves batches whose lobes do not fit into a window.
 void KernelEngine::shadeFused(std::size_t spheres, ReceiverSpan receivers,
                               std::span<glm::vec4> radiance, StageTimes& times) {
-  auto slots = slotsOf(receivers.lobes);
-  if (slots.size() > device_->lobeWindow()) {
+  const auto slots = slotsOf(receivers.lobes, shading_);
+  if (slots.size() > window_.places.capacity()) {
     const std::size_t half = receivers.size() / 2;
     shadeFused(spheres, receivers.part(0, half), radiance.first(half), times);
     shadeFused(spheres, receivers.part(half, receivers.size() - half), radiance.subspan(half),
                times);
     return;
   }
-  std::vector<CommandSeconds> kernels;
-  if (!std::ranges::includes(window_.slots, slots)) kernels.push_back(openWindow(std::move(slots)));
+  const CommandSeconds spread = openWindow(slots);
   const std::array uploads{uploadSamples(batch_.positions, receivers.positions),
                            uploadSamples(batch_.normals, receivers.normals),
                            uploadSamples(batch_.lobes, receivers.lobes)};
-  kernels.push_back(launchFused(spheres, receivers.lobes));
+  const CommandSeconds fused = launchFused(spheres, receivers.lobes);
   times.readBack += download(batch_.radiance, radiance)();
   for (const CommandSeconds& seconds : uploads) times.upload += seconds();
-  for (const CommandSeconds& seconds : kernels) times.fused += seconds();
+  times.fused += spread() + fused();
 }
 
 void KernelEngine::shadeStaged(std::size_t spheres, ReceiverSpan receivers,
