@@ -21,9 +21,19 @@ struct Receivers {
 
   std::size_t size() const { return positions.size(); }
   void add(const glm::vec3& position, const glm::vec3& unitNormal) {
-    positions.emplace_back(position, 0.0f);
-    normals.emplace_back(unitNormal, 0.0f);
-    lobes.push_back(blendLobes(unitNormal));
+    resize(size() + 1);
+    set(size() - 1, position, unitNormal);
+  }
+  /// To be followed by set(), which threads may call for different receivers.
+  void resize(std::size_t count) {
+    positions.resize(count);
+    normals.resize(count);
+    lobes.resize(count);
+  }
+  void set(std::size_t index, const glm::vec3& position, const glm::vec3& unitNormal) {
+    positions[index] = {position, 0.0f};
+    normals[index] = {unitNormal, 0.0f};
+    lobes[index] = blendLobes(unitNormal);
   }
 };
 

@@ -1,5 +1,6 @@
 #include <glm/geometric.hpp>
 
+#include "base/parallel.h"
 #include "render/radiance_method.h"
 
 namespace haarlight {
@@ -8,7 +9,11 @@ namespace {
 
 Receivers receiversOf(std::span<const SurfaceSample> samples) {
   Receivers receivers;
-  for (const SurfaceSample& sample : samples) receivers.add(sample.position, sample.normal);
+  receivers.resize(samples.size());
+  parallelFor(samples.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      receivers.set(i, samples[i].position, samples[i].normal);
+  });
   return receivers;
 }
 
