@@ -102,6 +102,12 @@ void addModeOptions(CLI::App& command, BenchOptions& options) {
           .add_option("--compare", options.compare,
                       "Record of an earlier run (.json): ratios of times, row by row")
           ->group("Table");
+  CLI::Option* ceilings =
+      command
+          .add_flag("--ceilings", options.ceilings,
+                    "Also the processor's measured bandwidths and rates, and how near to them "
+                    "stages come")
+          ->group("Table");
   CLI::Option* csv =
       command.add_option("--csv", options.csv, "Table to write (.csv)")->group("Output");
   command
@@ -112,7 +118,8 @@ void addModeOptions(CLI::App& command, BenchOptions& options) {
       ->group("Scale")
       ->excludes(peers)
       ->excludes(compare)
-      ->excludes(csv);
+      ->excludes(csv)
+      ->excludes(ceilings);
   command.add_option("--scale-samples", options.scaleSamples, "Most samples of --scale")
       ->group("Scale")
       ->check(CLI::Range(std::size_t(1) << 10, std::size_t(1) << 24))
@@ -131,6 +138,7 @@ void addBenchCommand(CLI::App& app) {
       "  haarlight bench --svg bench.svg -o bench.json\n"
       "  haarlight bench --compare bench.json\n"
       "  haarlight bench --mesh bunny.obj --light grace.hdr --visibility exact --peers\n"
+      "  haarlight bench --ceilings --spheres 64 --terms 200 --levels 2\n"
       "  haarlight bench --scale --visibility exact\n"
       "What is timed is said in the results and in docs/benchmark.md.");
   addSceneContentOptions(*command, options->scene);

@@ -167,6 +167,9 @@ Record Bench::run() {
   else
     measureTable(effort);
   describeRun(effort);
+  if (options_.ceilings && !effort.interrupted())  // last, as it takes much memory
+    record_.roofline = measureRoofline(record_, inputs_, table_.get(), ceilingPlan(threadCount()),
+                                       console_.progress());
   return record_;
 }
 

@@ -24,6 +24,7 @@ struct BenchOptions {
   std::size_t frames = 20;
   bool peers = false;
   bool scale = false;
+  bool ceilings = false;
   std::size_t scaleSamples = std::size_t(1) << 21;
   std::string output, csv, svg, compare;
 };

@@ -1,5 +1,6 @@
 #include "benchmark/paper_table.h"
 #include "benchmark/reports.h"
+#include "benchmark/roofline_report.h"
 #include "engine/stage_times.h"
 
 namespace haarlight::benchmark {
@@ -10,13 +11,6 @@ using Json = nlohmann::ordered_json;
 
 Json orNull(const std::string& text) {
   return text.empty() ? Json() : Json(text);
-}
-
-Json nameJson(const RowName& name) {
-  return {{"engine", name.engine},           {"device", name.device},
-          {"visibility", name.visibility},   {"path", name.path},
-          {"spheres", name.setting.spheres}, {"terms", name.setting.terms},
-          {"levels", name.setting.levels}};
 }
 
 Json secondsJson(const Quartiles& frame) {
@@ -148,6 +142,13 @@ Json comparisonJson(const Comparison* comparison) {
 
 }  // namespace
 
+nlohmann::ordered_json nameJson(const RowName& name) {
+  return {{"engine", name.engine},           {"device", name.device},
+          {"visibility", name.visibility},   {"path", name.path},
+          {"spheres", name.setting.spheres}, {"terms", name.setting.terms},
+          {"levels", name.setting.levels}};
+}
+
 nlohmann::ordered_json jsonReport(const Record& record, const Comparison* comparison) {
   Json json{{"program", record.program},
             {"build", record.build},
@@ -173,6 +174,7 @@ nlohmann::ordered_json jsonReport(const Record& record, const Comparison* compar
     json["rows"].push_back(rowJson(record, record.rows[i], names[i].name));
   json["peers"] = peersJson(record, names);
   json["scale"] = scaleJson(record);
+  json["roofline"] = rooflineJson(record);
   json["comparison"] = comparisonJson(comparison);
   return json;
 }

@@ -34,6 +34,11 @@ std::vector<std::string> timingNotes(const Record& record) {
     notes.push_back(
         "Peers are measured after the rows, each after one frame to warm up, on the host's clock; "
         "those for static light add the median of the device's stages that they build upon.");
+  if (record.roofline)
+    notes.push_back(
+        "Ceilings are measured last, each as the best of several repetitions; least times are "
+        "those "
+        "of a model that counts a frame's operations and bytes.");
   return notes;
 }
 

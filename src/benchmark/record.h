@@ -6,6 +6,7 @@
 
 #include "benchmark/power_law.h"
 #include "benchmark/quartiles.h"
+#include "benchmark/roofline.h"
 #include "benchmark/subject.h"
 #include "engine/engine.h"
 
@@ -110,6 +111,7 @@ struct Record {
   std::vector<Row> rows;
   std::optional<PeerComparison> peers;
   std::optional<Scale> scale;
+  std::optional<Roofline> roofline;
 };
 
 /// Seconds of Embree's pixel basis on the mesh, against which everything is set; nothing without

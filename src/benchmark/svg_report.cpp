@@ -4,6 +4,7 @@
 #include "base/text_format.h"
 #include "benchmark/paper_table.h"
 #include "benchmark/reports.h"
+#include "benchmark/roofline_report.h"
 #include "report/plot_sheet.h"
 #include "verify/gpu_check/gpu_check_run.h"
 
@@ -116,6 +117,8 @@ std::string svgReport(const Record& record) {
   }
   if (record.scale)
     for (const Sweep& sweep : record.scale->sweeps) plots.push_back(sweepLines(sweep));
+  const std::vector<LinePlot> rooflines = rooflinePlots(record);
+  plots.insert(plots.end(), rooflines.begin(), rooflines.end());
   return plotSheetSvg("haarlight bench: " + record.scene, plots);
 }
 

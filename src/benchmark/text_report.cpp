@@ -2,6 +2,7 @@
 
 #include "base/text_format.h"
 #include "benchmark/reports.h"
+#include "benchmark/roofline_report.h"
 #include "benchmark/table_columns.h"
 #include "benchmark/text_table.h"
 
@@ -150,7 +151,7 @@ std::string textReport(const Record& record, const Comparison* comparison) {
   std::string text = headText(record);
   for (std::size_t i = 0; i < record.subjects.size(); ++i)
     text += openingText(record.subjects[i]) + rowsText(record, i);
-  text += scaleText(record) + peersText(record);
+  text += scaleText(record) + peersText(record) + rooflineText(record);
   return comparison ? text + comparisonText(*comparison) : text;
 }
 

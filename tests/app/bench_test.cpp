@@ -76,6 +76,25 @@ TEST_CASE("bench sets peers beside the rows, and sweeps sizes") {
             row.at("frame_seconds").at("median").get<double>()));
 }
 
+TEST_CASE("bench measures the processor's ceilings") {
+  const auto record = resultsOf(joined(small, {"--ceilings", "--levels", "2"}));
+  CHECK(benchSchema().allows(record));
+  const auto& roofline = record.at("roofline");
+  CHECK(roofline.at("ceilings").at("memory").size() == 4);
+  REQUIRE(roofline.at("rows").size() == 1);  // the last setting
+  const auto& row = roofline.at("rows").at(0);
+  CHECK(row.at("spheres") == 4);
+  CHECK(row.at("counts").at("samples") == 64);
+  CHECK(row.at("counts").at("reached_rows") > 0);
+  for (const auto& stage : row.at("stages")) {
+    CHECK(stage.at("operations") > 0);  // the reference neither uploads nor reads back
+    CHECK(stage.at("least_seconds") > 0);
+    CHECK(stage.at("share").get<double>() ==
+          doctest::Approx(stage.at("least_seconds").get<double>() /
+                          stage.at("measured_seconds").get<double>()));
+  }
+}
+
 TEST_CASE("bench refuses what it cannot measure in one line") {
   const TemporaryFolder folder;
   for (const auto& [option, value] :
@@ -98,6 +117,7 @@ TEST_CASE("bench refuses what it cannot measure in one line") {
   checkRefused({"bench", "--quiet", "-o", folder / "x.txt"}, ".json");
   checkRefused({"bench", "--quiet", "--compare", folder / "absent.json"}, "absent.json");
   checkRefused({"bench", "--scale", "--peers"}, "--scale");
+  checkRefused({"bench", "--scale", "--ceilings"}, "--scale");
   writeFile(folder / "old.json", R"({"host": "h", "date_utc": "d"})");
   checkRefused({"bench", "--quiet", "--compare", folder / "old.json"}, "rows");
   writeFile(folder / "scene.json", R"({"objects": [{"mesh": "builtin:sphere", "spheres": 2}]})");

@@ -69,6 +69,28 @@ Record recordWithPeers() {
   return record;
 }
 
+Record recordWithRoofline() {
+  Record record = exampleRecord();
+  record.roofline.emplace();
+  Ceilings& ceilings = record.roofline->ceilings;
+  ceilings.threads = 2;
+  ceilings.instructions = "some vectors";
+  ceilings.memory = ceilingPlan(2).memory;
+  for (double rate = 4e11; MemoryCeiling & level : ceilings.memory) {
+    level.copy = rate;
+    level.read = rate /= 2;
+  }
+  ceilings.joins = 2e11;
+  ceilings.multiplyAdds = 1e11;
+  FrameCounts counts;
+  counts.samples = 16384;
+  counts.spheres = 64;
+  counts.maskGroups = counts.maskGroupsOfTiles = counts.maskGroupsOfFrame = 1.5e6;
+  counts.masksOfTiles = counts.masksOfFrame = 1e6;
+  record.roofline->rows = {rooflineOf(record, 2, counts, ceilings)};
+  return record;
+}
+
 Record recordWithScale() {
   Record record = exampleRecord();
   record.rows.clear();

@@ -11,6 +11,9 @@ benchmark::Record exampleRecord();
 /// The same with peers and errors.
 benchmark::Record recordWithPeers();
 
+/// The first with ceilings, and a roofline of the row with the table.
+benchmark::Record recordWithRoofline();
+
 /// Sweeps instead of rows, with a linear law.
 benchmark::Record recordWithScale();
 

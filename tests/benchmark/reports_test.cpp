@@ -58,7 +58,8 @@ TEST_CASE("JSON keeps to its schema, with every part and without") {
   const JsonSchema schema(
       Document::parse(readFile(HAARLIGHT_SOURCE_FOLDER "/docs/benchmark.schema.json")));
   const Comparison comparison = withItself(exampleRecord());
-  for (const Record& record : {exampleRecord(), recordWithPeers(), recordWithScale()}) {
+  for (const Record& record :
+       {exampleRecord(), recordWithPeers(), recordWithScale(), recordWithRoofline()}) {
     const Document plain = jsonReport(record, nullptr), compared = jsonReport(record, &comparison);
     CHECK(schema.allows(plain));
     CHECK(schema.allows(compared));
@@ -87,6 +88,32 @@ TEST_CASE("JSON has ratios to the paper and to Embree") {
         doctest::Approx(400));
   CHECK(json.at("peers").at("rows").at(1).at("error").at("against_mesh_percent") == 2.5);
   CHECK(jsonReport(exampleRecord(), nullptr).at("rows").at(0).at("times_embree").is_null());
+}
+
+TEST_CASE("JSON and text have the ceilings and the share of them that is reached") {
+  const Record record = recordWithRoofline();
+  const Document json = jsonReport(record, nullptr).at("roofline");
+  const Document& ceilings = json.at("ceilings");
+  CHECK(ceilings.at("memory").at(0).at("copy_bytes_per_second") == 4e11);
+  CHECK(ceilings.at("memory").at(1).at("read_bytes_per_second") == 1e11);
+  CHECK(ceilings.at("memory").at(3).at("holds_bytes").is_null());
+  const Document& row = json.at("rows").at(0);
+  CHECK(row.at("visibility") == "table");
+  CHECK(row.at("counts").at("mask_groups") == 1.5e6);
+  const Document& stage = row.at("stages").at(0);
+  CHECK(stage.at("stage") == "merge");
+  // 16,384 · 64 spheres of 128 operations, and 16 for each group.
+  const double operations = 16384.0 * 64 * 128 + 16 * 1.5e6;
+  CHECK(stage.at("operations") == operations);
+  // 10⁶ entries of 4 bytes and groups of 64 come from RAM, at 5e10 bytes a second.
+  CHECK(stage.at("bound_by") == "RAM");
+  CHECK(stage.at("least_seconds").get<double>() == doctest::Approx(100e6 / 5e10));
+  CHECK(stage.at("share").get<double>() == doctest::Approx(100e6 / 5e10 / 0.006));
+  const std::string text = textReport(record, nullptr);
+  for (const char* part : {"2 threads, some vectors", "OR of 32-bit words: 200.0 G/s", "bound by",
+                           "100.0 GFLOP/s", "Ceilings are measured last"})
+    CHECK_MESSAGE(contains(text, part), part);
+  CHECK_FALSE(contains(textReport(exampleRecord(), nullptr), "Ceilings"));
 }
 
 TEST_CASE("CSV has a line per row, with as many fields as the first, quoted where need be") {
@@ -124,6 +151,11 @@ TEST_CASE("the plots have a panel per device and setting, twice, and the paper's
     CHECK(std::ranges::count(names, std::string("\u2015 ") + name) == 2);
   const auto withPeers = textsOf(readXml(svgReport(recordWithPeers())), "tspan");
   CHECK(std::ranges::count(withPeers, "\u25A0 double product") == 2);  // one error, one kind
+  const auto roofline = readXml(svgReport(recordWithRoofline()));
+  CHECK(std::ranges::count(textsOf(roofline, "text"), "opencl · Some \"CPU\", fast · table") == 1);
+  const auto ceilings = textsOf(roofline, "tspan");
+  for (const char* name : {"L1", "RAM", "OR", "multiply-add"})
+    CHECK(std::ranges::count(ceilings, std::string("\u2015 ") + name) == 1);
   const auto scale = textsOf(readXml(svgReport(recordWithScale())), "text");
   CHECK(std::ranges::count(scale, "Time over spheres: exponent 1.00 in the upper half") == 1);
 }

@@ -11,7 +11,8 @@ namespace haarlight {
 
 namespace {
 
-constexpr std::uint64_t sphereTableBytes = std::uint64_t(sphereTableEntries) * sizeof(BitCube);
+/// The groups of the sphere table (40 MiB), and some room.
+constexpr std::uint64_t bufferBytesNeeded = 48 << 20;
 constexpr std::uint64_t localBytesNeeded = 16 << 10;
 
 /// The bindings leave a terminating zero or blanks in some drivers' strings.
@@ -25,8 +26,8 @@ std::string trimmed(std::string text) {
 std::string problemOf(const cl::Device& device) {
   if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return "the driver says it is not available";
   if (!device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>()) return "it has no kernel compiler";
-  if (device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>() < sphereTableBytes)
-    return "it cannot hold the 144 MiB sphere table in one buffer";
+  if (device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>() < bufferBytesNeeded)
+    return "it cannot hold the sphere table in one buffer of 48 MiB";
   if (device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>() < localBytesNeeded)
     return "it has less than 16 KiB of local memory";
   if (device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>() < 32) return "its work-groups are too small";
