@@ -15,7 +15,7 @@ namespace {
 /// An engine that gets one thing wrong.
 class WrongEngine final : public ForwardingEngine {
  public:
-  enum class Fault { none, sphere, bit, coefficient, radiance };
+  enum class Fault { none, sphere, bit, coefficient, sum, radiance };
 
   WrongEngine(std::unique_ptr<Engine> engine, Fault fault)
       : ForwardingEngine(std::move(engine)), fault_(fault) {}
@@ -37,6 +37,12 @@ class WrongEngine final : public ForwardingEngine {
     float& coefficient = occlusion.front().coefficients[77];
     if (fault_ == Fault::coefficient) coefficient = std::nextafter(coefficient, 1.0f);
     return occlusion;
+  }
+  std::vector<glm::vec4> tripleProduct(std::span<const OcclusionHaar> occlusion,
+                                       std::span<const LobeBlend> lobes) override {
+    auto radiance = engine_->tripleProduct(occlusion, lobes);
+    if (fault_ == Fault::sum) radiance[1].z = std::nextafter(radiance[1].z, 1.0f);
+    return radiance;
   }
   std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                StageTimes* times) override {
@@ -69,5 +75,6 @@ TEST_CASE("the self test notices one wrong sphere, bit, coefficient or last digi
   CHECK(failureWith(WrongEngine::Fault::sphere).find("moved spheres") != std::string::npos);
   CHECK(failureWith(WrongEngine::Fault::bit).find("bit cubes") != std::string::npos);
   CHECK(failureWith(WrongEngine::Fault::coefficient).find("Haar") != std::string::npos);
+  CHECK(failureWith(WrongEngine::Fault::sum).find("triple product") != std::string::npos);
   CHECK(failureWith(WrongEngine::Fault::radiance).find("radiance") != std::string::npos);
 }
