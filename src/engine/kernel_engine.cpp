@@ -19,6 +19,9 @@ double secondsSince(Clock::time_point start) {
 /// Receivers that the fused path works on at a time; they leave nothing but their radiance.
 constexpr std::size_t fusedBatch = 1 << 16;
 
+/// Lobes to have room for at least, so that small frames need not grow theirs.
+constexpr std::size_t smallestWindow = 16;
+
 /// Weights of all texels for one lobe.
 constexpr std::size_t texelWeightBytes = texelCount * sizeof(glm::uvec3);
 
@@ -373,7 +376,8 @@ CommandSeconds KernelEngine::openWindow(const std::vector<std::uint32_t>& slots)
                 std::array<KernelArgument, 6>{
                     window_.newSlots, window_.newPlaces, std::uint32_t(shading_.squareCount()),
                     tables_.weights, tables_.blockSquares,
-                    &room(window_.texelWeights, window_.places.capacity() * texelWeightBytes)});
+                    &room(window_.texelWeights,
+                          std::max(window_.places.capacity(), smallestWindow) * texelWeightBytes)});
 }
 
 CommandSeconds KernelEngine::launchFused(std::size_t spheres, std::span<const LobeBlend> lobes) {
