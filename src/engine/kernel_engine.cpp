@@ -250,8 +250,11 @@ CommandSeconds KernelEngine::launchTripleProduct(std::span<const LobeBlend> lobe
 }
 
 void KernelEngine::setShading(const ShadingTables& tables) {
-  shading_ = tables;
-  shading_.weights = {};  // on the device only
+  // The weights, by far the largest part, are needed on the device only.
+  shading_.lobeSlots = tables.lobeSlots;
+  shading_.squarePlaces = tables.squarePlaces;
+  shading_.unshadowed = tables.unshadowed;
+  shading_.scales = tables.scales;
   window_.places = LobeWindow(std::min(device_->lobeWindow(), tables.slotCount()));
   const auto& ends = tables.squareListEnds;
   tables_.squareListEnds = {ends[coarseSquares], ends[blockSquares], ends[quarterSquares], 0};
