@@ -36,14 +36,13 @@ inline void storeRowsOfTile(__local const uint* rows, __global uint* bitCubes) {
       bitCubes[sample * BIT_CUBE_ROWS + row] = rows[row * TILE + sample];
 }
 
-inline int smallestElement(int16 v) {
-  const int a = min(min(min(v.s0, v.s1), min(v.s2, v.s3)), min(min(v.s4, v.s5), min(v.s6, v.s7)));
-  const int b = min(min(min(v.s8, v.s9), min(v.sa, v.sb)), min(min(v.sc, v.sd), min(v.se, v.sf)));
-  return min(a, b);
-}
-
 inline uint joinElements(uint16 v) {
   return (((v.s0 | v.s1) | (v.s2 | v.s3)) | ((v.s4 | v.s5) | (v.s6 | v.s7))) |
          (((v.s8 | v.s9) | (v.sa | v.sb)) | ((v.sc | v.sd) | (v.se | v.sf)));
+}
+
+inline uint meetElements(uint16 v) {
+  return (((v.s0 & v.s1) & (v.s2 & v.s3)) & ((v.s4 & v.s5) & (v.s6 & v.s7))) &
+         (((v.s8 & v.s9) & (v.sa & v.sb)) & ((v.sc & v.sd) & (v.se & v.sf)));
 }
 #endif

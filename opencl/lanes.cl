@@ -74,11 +74,12 @@ typedef uint16 LaneUint;
 #endif
 
 // Merging takes a tile of samples at a time: one where lanes are items, else a sample per element of
-// a LaneFloat.
+// a LaneFloat, against blocks of spheres.
 #if LANES_PER_ITEM == 1
 #define TILE 1
 #else
 #define TILE TILE_SAMPLES
+#define SPHERES_AT_ONCE 16
 #endif
 #define FIRST_OF_TILE (SAMPLE * TILE)
 
@@ -90,3 +91,8 @@ typedef struct {
   uint4 lobes;
   float4 weights;
 } LobeBlend;
+
+// Runs over the set bits of a word, from the lowest.
+#define FOR_EACH_BIT(number, bits)                                     \
+  for (uint left = (bits), number = 31 - clz(left & -left); left; \
+       left &= left - 1, number = 31 - clz(left & -left))

@@ -54,7 +54,6 @@ inline uint mergeMasks(const Tile* tile, __global const float* spheres, uint sph
 // Spheres are taken 16 at a time: entries of them all for all samples, then lists of the groups that
 // any sample needs, then group by group and sample by sample the union over a list. So a group of a
 // sample's rows is loaded and stored once, and nothing waits for what was stored just before.
-#define SPHERES_AT_ONCE 16
 #define LIST_SIZE (SPHERES_AT_ONCE * TILE)
 #define MERGE_ROOM ((1 + GROUPS) * LIST_SIZE)
 

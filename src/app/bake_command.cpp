@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 #include "app/commands.h"
 #include "app/frame_rate.h"
@@ -9,6 +10,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/parallel.h"
+#include "engine/tile_order.h"
 #include "scene/names.h"
 
 namespace haarlight {
@@ -28,7 +30,8 @@ struct BakeOptions {
 /// Radiance per texel of the plane, or of a mesh's vertices as one row.
 struct Target {
   glm::ivec2 size;
-  std::vector<SurfaceSample> samples;
+  std::vector<std::uint32_t> texels;   ///< where the samples' radiance goes
+  std::vector<SurfaceSample> samples;  ///< in that order
   const SceneObject* object = nullptr;
 };
 
@@ -47,11 +50,14 @@ Target bakeTarget(const BakeOptions& options, const Scene& scene) {
     const SceneObject& object = findObject(scene, options.object);
     auto samples = vertexSamples(object);
     const int count = int(samples.size());
-    return {{count, 1}, std::move(samples), &object};
+    std::vector<std::uint32_t> texels(samples.size());
+    std::iota(texels.begin(), texels.end(), 0u);
+    return {{count, 1}, std::move(texels), std::move(samples), &object};
   }
   if (!scene.receiver)
     throw InputError("the scene has no receiver plane to bake; name an object with --object");
-  return {scene.receiver->samples, planeSamples(*scene.receiver), nullptr};
+  const glm::ivec2 size = scene.receiver->samples;
+  return {size, tileOrder(size.x, size.y), planeSamplesInTiles(*scene.receiver), nullptr};
 }
 
 Image bake(RadianceMethod& method, const Target& target, const Progress& progress) {
@@ -60,7 +66,7 @@ Image bake(RadianceMethod& method, const Target& target, const Progress& progres
   for (std::size_t first = 0; first < target.samples.size(); first += block) {
     const std::size_t count = std::min(block, target.samples.size() - first);
     const auto part = method.radiance(std::span(target.samples).subspan(first, count));
-    std::ranges::copy(part, image.pixels.begin() + std::ptrdiff_t(first));
+    for (std::size_t i = 0; i < count; ++i) image.pixels[target.texels[first + i]] = part[i];
     if (progress) progress("baking", double(first + count) / double(target.samples.size()));
   }
   return image;

@@ -81,7 +81,7 @@ float writeOutputs(const RenderOptions& options, const RenderedImage& picture,
 
 /// The paper's frame: all samples of the receiver plane.
 nlohmann::ordered_json planeFrameRate(ShadingSetup& setup) {
-  const auto samples = planeSamples(*setup.scene().receiver);
+  const auto samples = planeSamplesInTiles(*setup.scene().receiver);
   const auto method = setup.method(setup.description().shading.method, samples, false);
   return measureFrameRate(*method, samples);
 }

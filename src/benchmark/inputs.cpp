@@ -19,7 +19,7 @@ Inputs loadInputs(const SceneDescription& description, std::span<const int> sphe
   if (!description.receiver)
     throw InputError("the scene has no receiver plane, whose samples are measured");
   Inputs inputs;
-  inputs.samples = planeSamples(*description.receiver);
+  inputs.samples = planeSamplesInTiles(*description.receiver);
   for (SurfaceSample& sample : inputs.samples) sample.albedo = glm::vec3(1);
   inputs.receivers = receiversOf(inputs.samples);
   for (const int count : sphereCounts)

@@ -82,7 +82,7 @@ Receivers planeReceivers(std::size_t count) {
   const int bits = std::countr_zero(count);
   ReceiverDescription plane;
   plane.samples = {1 << (bits + 1) / 2, 1 << bits / 2};
-  return receiversOf(planeSamples(plane));
+  return receiversOf(planeSamplesInTiles(plane));
 }
 
 Scale measureScale(Engine& engine, const RadianceCube& light, const ScalePlan& plan,

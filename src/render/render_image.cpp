@@ -4,8 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <span>
 
 #include "base/parallel.h"
+#include "engine/tile_order.h"
 #include "mesh/ray_scene.h"
 
 namespace haarlight {
@@ -66,19 +68,21 @@ struct ScreenSampler::Implementation {
   }
 
   int raysPerPixel() const { return gridSide * gridSide; }
-  int rowsPerBlock() const { return std::max(1, samplesPerBlock / (image.width * raysPerPixel())); }
+  int rowsPerBlock() const {
+    const int rows = samplesPerBlock / (image.width * raysPerPixel());
+    return std::max(4, rows / 4 * 4);
+  }
 
-  /// Rays of rows [firstRow, lastRow), pixel by pixel.
-  std::vector<CameraRay> traceRows(int firstRow, int lastRow) const {
+  /// Rays of some pixels, pixel by pixel.
+  std::vector<CameraRay> trace(std::span<const std::uint32_t> pixels) const {
     const int perPixel = raysPerPixel();
-    std::vector<CameraRay> block(std::size_t(lastRow - firstRow) * image.width * perPixel);
+    std::vector<CameraRay> block(pixels.size() * perPixel);
     parallelFor(block.size(), 4096, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const std::size_t pixel = i / perPixel;
+        const std::uint32_t pixel = pixels[i / perPixel];
         const int cell = int(i % perPixel);
-        block[i] =
-            trace(double(pixel % image.width) + (cell % gridSide + 0.5) / gridSide,
-                  double(firstRow + pixel / image.width) + (cell / gridSide + 0.5) / gridSide);
+        block[i] = trace(double(pixel % image.width) + (cell % gridSide + 0.5) / gridSide,
+                         double(pixel / image.width) + (cell / gridSide + 0.5) / gridSide);
       }
     });
     return block;
@@ -86,6 +90,30 @@ struct ScreenSampler::Implementation {
 
   glm::vec3 background(const glm::vec3& direction) const {
     return image.background ? glm::vec3(*image.background) : scene.light.radiance(direction);
+  }
+
+  /// Means over the rays of every pixel; `radiance` is that of the rays that hit something.
+  void addToPixels(std::span<const std::uint32_t> pixels, std::span<const CameraRay> traced,
+                   std::span<const std::uint32_t> firstSamples, std::span<const glm::vec3> radiance,
+                   RenderedImage& result) const {
+    const int perPixel = raysPerPixel();
+    const float weight = 1.0f / float(perPixel);
+    parallelFor(pixels.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        std::size_t next = firstSamples[i];
+        const std::uint32_t pixel = pixels[i];
+        for (const CameraRay& ray : traced.subspan(i * perPixel, perPixel)) {
+          if (!ray.hit) {
+            result.radiance.pixels[pixel] += weight * background(ray.direction);
+            result.surfaceMask[pixel] = 0;
+            continue;
+          }
+          result.radiance.pixels[pixel] += weight * radiance[next++];
+          result.albedo.pixels[pixel] += weight * ray.hit->albedo;
+          result.normal.pixels[pixel] += weight * ray.hit->normal;
+        }
+      }
+    });
   }
 
   const Scene& scene;
@@ -114,32 +142,24 @@ std::vector<SurfaceSample> ScreenSampler::overview() const {
 
 RenderedImage ScreenSampler::render(RadianceMethod& method, const Progress& progress) const {
   const Implementation& self = *implementation_;
-  const int width = self.image.width, height = self.image.height, perPixel = self.raysPerPixel();
+  const int width = self.image.width, height = self.image.height;
   RenderedImage result{Image(width, height), Image(width, height), Image(width, height),
                        std::vector<std::uint8_t>(std::size_t(width) * height, 1), 0};
   for (int row = 0; row < height; row += self.rowsPerBlock()) {
-    const auto block = self.traceRows(row, std::min(height, row + self.rowsPerBlock()));
+    const int rows = std::min(self.rowsPerBlock(), height - row);
+    auto pixels = tileOrder(width, rows);
+    for (std::uint32_t& pixel : pixels) pixel += std::uint32_t(row) * width;
+    const auto rays = self.trace(pixels);
     std::vector<SurfaceSample> samples;
-    for (const CameraRay& ray : block)
-      if (ray.hit) samples.push_back(*ray.hit);
+    std::vector<std::uint32_t> firstSamples;  // of a pixel
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (i % self.raysPerPixel() == 0) firstSamples.push_back(std::uint32_t(samples.size()));
+      if (rays[i].hit) samples.push_back(*rays[i].hit);
+    }
     const auto radiance = method.radiance(samples);
     result.surfaceSamples += samples.size();
-
-    std::size_t next = 0;
-    const float weight = 1.0f / float(perPixel);
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      const std::size_t pixel = std::size_t(row) * width + i / perPixel;
-      if (!block[i].hit) {
-        result.radiance.pixels[pixel] += weight * self.background(block[i].direction);
-        result.surfaceMask[pixel] = 0;
-        continue;
-      }
-      result.radiance.pixels[pixel] += weight * radiance[next];
-      result.albedo.pixels[pixel] += weight * samples[next].albedo;
-      result.normal.pixels[pixel] += weight * samples[next].normal;
-      ++next;
-    }
-    if (progress) progress("rendering", std::min(1.0, double(row + self.rowsPerBlock()) / height));
+    self.addToPixels(pixels, rays, firstSamples, radiance, result);
+    if (progress) progress("rendering", std::min(1.0, double(row + rows) / height));
   }
   return result;
 }

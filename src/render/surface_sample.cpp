@@ -1,5 +1,7 @@
 #include "render/surface_sample.h"
 
+#include "engine/tile_order.h"
+
 namespace haarlight {
 
 std::vector<SurfaceSample> planeSamples(const ReceiverDescription& receiver) {
@@ -14,6 +16,10 @@ std::vector<SurfaceSample> planeSamples(const ReceiverDescription& receiver) {
           {glm::vec3(receiver.center + glm::dvec3(x, 0, z)), up, up, glm::vec3(receiver.albedo)});
     }
   return samples;
+}
+
+std::vector<SurfaceSample> planeSamplesInTiles(const ReceiverDescription& receiver) {
+  return inOrder(planeSamples(receiver), tileOrder(receiver.samples.x, receiver.samples.y));
 }
 
 std::vector<SurfaceSample> vertexSamples(const SceneObject& object) {

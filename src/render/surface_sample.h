@@ -18,6 +18,9 @@ struct SurfaceSample {
 /// The receiver's samples at its texels' centres: columns along +x, rows along +z, row by row.
 std::vector<SurfaceSample> planeSamples(const ReceiverDescription& receiver);
 
+/// The same in tiles (engine/tile_order.h), in which engines shade them fastest.
+std::vector<SurfaceSample> planeSamplesInTiles(const ReceiverDescription& receiver);
+
 /// One sample per vertex.
 std::vector<SurfaceSample> vertexSamples(const SceneObject& object);
 

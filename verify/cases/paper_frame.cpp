@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/tile_order.h"
 #include "verify/cases/random_cases.h"
 
 namespace haarlight::verify {
@@ -26,13 +27,13 @@ Case paperFrame(int spheres) {
   frame.name = "paper's frame, " + std::to_string(spheres) + " spheres";
   for (int i = 0; i < spheres; ++i)
     frame.spheres.push_back({knotPoint(2 * std::numbers::pi * i / spheres), 0.25f});
-  for (int row = 0; row < receiversPerSide; ++row)
-    for (int column = 0; column < receiversPerSide; ++column) {
-      const auto place = [](int index) {
-        return planeSide * ((float(index) + 0.5f) / receiversPerSide - 0.5f);
-      };
-      frame.receivers.add({place(column), 0, place(row)}, {0, 1, 0});
-    }
+  for (const std::uint32_t cell : tileOrder(receiversPerSide, receiversPerSide)) {
+    const auto place = [](std::uint32_t index) {
+      return planeSide * ((float(index) + 0.5f) / receiversPerSide - 0.5f);
+    };
+    frame.receivers.add({place(cell % receiversPerSide), 0, place(cell / receiversPerSide)},
+                        {0, 1, 0});
+  }
   frame.light = randomLight(1);
   return frame;
 }
