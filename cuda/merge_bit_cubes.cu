@@ -34,8 +34,9 @@ __device__ inline void addMask(uint* rows, uint entry, const uint* groups) {
 
 // Spheres are taken 32 at a time: each lane finds the table entry of one of them, then all lanes read
 // the rows of all 32.
-__device__ inline uint mergeMasks(const Tile* tile, const float* spheres, uint sphereCount,
-                                  const SphereTable* table, uint* room, uint* rows) {
+__device__ inline void mergeMasks(const Tile* tile, const float* spheres, uint sphereCount,
+                                  const SphereTable* table, uint* room, uint* rows,
+                       uint* occupied) {
   const uint stride = sphereStride(sphereCount);
   clearRows(rows);
   for (uint first = 0; first < sphereCount; first += LANES) {
@@ -45,7 +46,7 @@ __device__ inline uint mergeMasks(const Tile* tile, const float* spheres, uint s
     for (uint i = 0; i < count; ++i) addMask(rows, room[i], table->groups);
     LANE_BARRIER();
   }
-  return ALL_GROUPS;
+  occupyAllRows(occupied);
 }
 
 HAARLIGHT_KERNEL void mergeBitCubes(const float4* __restrict__ positions,
@@ -59,6 +60,7 @@ HAARLIGHT_KERNEL void mergeBitCubes(const float4* __restrict__ positions,
   SAMPLE_LOCAL(uint, rows, TILE * BIT_CUBE_ROWS);
   const Tile tile = loadTile(positions, normals);
   const SphereTable table = {tableEntries, tableGroups};
-  mergeMasks(&tile, spheres, sphereCount, &table, room, rows);
+  uint occupied[FACES];
+  mergeMasks(&tile, spheres, sphereCount, &table, room, rows, occupied);
   storeRows(rows, bitCubes + FIRST_OF_TILE * BIT_CUBE_ROWS);
 }

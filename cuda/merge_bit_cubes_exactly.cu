@@ -14,8 +14,8 @@ __device__ inline uint rowBits(const FaceCaps* caps, int row) {
 }
 
 // The union for one sample; `room` is for CAP_FLOATS numbers.
-__device__ inline uint mergeCaps(const Tile* tile, const float* spheres, uint sphereCount,
-                                 float* room, uint* rows) {
+__device__ inline void mergeCaps(const Tile* tile, const float* spheres, uint sphereCount,
+                                 float* room, uint* rows, uint* occupied) {
   const uint stride = sphereStride(sphereCount);
   clearRows(rows);
   for (uint first = 0; first < sphereCount; first += LANES) {
@@ -40,7 +40,7 @@ __device__ inline uint mergeCaps(const Tile* tile, const float* spheres, uint sp
     }
     LANE_BARRIER();
   }
-  return ALL_GROUPS;
+  occupyAllRows(occupied);
 }
 
 HAARLIGHT_KERNEL void mergeBitCubesExactly(const float4* __restrict__ positions,
@@ -51,6 +51,7 @@ HAARLIGHT_KERNEL void mergeBitCubesExactly(const float4* __restrict__ positions,
   SAMPLE_LOCAL(float, room, CAP_FLOATS);
   SAMPLE_LOCAL(uint, rows, TILE * BIT_CUBE_ROWS);
   const Tile tile = loadTile(positions, normals);
-  mergeCaps(&tile, spheres, sphereCount, room, rows);
+  uint occupied[FACES];
+  mergeCaps(&tile, spheres, sphereCount, room, rows, occupied);
   storeRowsOfTile(rows, bitCubes + FIRST_OF_TILE * BIT_CUBE_ROWS);
 }

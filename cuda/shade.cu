@@ -2,10 +2,11 @@
 // The triple product is the sum of the weights of the blocked texels (src/engine/square_weights.h).
 
 // The bit cubes of a tile: rows of a sample lie `rowStep` words apart, samples `sampleStep`; only
-// `groups` of them hold blocked texels.
+// of `occupied`, a word of row bits for every face, may hold blocked texels.
 struct TileRows {
   const uint* rows;
-  uint rowStep, sampleStep, groups;
+  uint rowStep, sampleStep;
+  const uint* occupied;
 };
 
 // The weights of the sample's blocked texels; a lane takes a column of every row.
@@ -75,8 +76,9 @@ HAARLIGHT_KERNEL void shadeByTable(const float4* __restrict__ positions,
   SAMPLE_LOCAL(uint, room, SHADE_ROOM);
   const Tile tile = loadTile(positions, normals);
   const SphereTable table = {tableEntries, tableGroups};
-  const uint groups = mergeMasks(&tile, spheres, sphereCount, &table, mergeRoom, room);
-  const TileRows rows = {room, 1, BIT_CUBE_ROWS, groups};
+  uint occupied[FACES];
+  mergeMasks(&tile, spheres, sphereCount, &table, mergeRoom, room, occupied);
+  const TileRows rows = {room, 1, BIT_CUBE_ROWS, occupied};
   const LobeTables tables = {lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales};
   shadeTile(&rows, room, receivers, &tables, radiance);
 }
@@ -95,8 +97,9 @@ HAARLIGHT_KERNEL void shadeExactly(const float4* __restrict__ positions,
   SAMPLE_LOCAL(float, caps, CAP_FLOATS);
   SAMPLE_LOCAL(uint, room, SHADE_ROOM);
   const Tile tile = loadTile(positions, normals);
-  const uint groups = mergeCaps(&tile, spheres, sphereCount, caps, room);
-  const TileRows rows = {room, TILE, 1, groups};
+  uint occupied[FACES];
+  mergeCaps(&tile, spheres, sphereCount, caps, room, occupied);
+  const TileRows rows = {room, TILE, 1, occupied};
   const LobeTables tables = {lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales};
   shadeTile(&rows, room, receivers, &tables, radiance);
 }

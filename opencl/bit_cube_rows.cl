@@ -1,11 +1,15 @@
-// The bit cubes of a tile while they grow, in local memory: word face * 32 + row of every sample. Groups
-// are 16 rows; merging tells which groups of a tile may hold a set bit.
+// The bit cubes of a tile while they grow, in local memory: word face * 32 + row of every sample.
+// Groups are 16 rows. Merging tells which rows may hold a set bit, as a word of row bits for every face.
 
 #define GROUP_ROWS 16
 #define GROUPS (BIT_CUBE_ROWS / GROUP_ROWS)
 #define ALL_GROUPS ((1u << GROUPS) - 1)
 
 #if LANES_PER_ITEM == 1
+inline void occupyAllRows(uint* occupied) {
+  for (uint face = 0; face < FACES; ++face) occupied[face] = ~0u;
+}
+
 inline void clearRows(__local uint* rows) {
   for (uint face = 0; face < FACES; ++face) rows[face * FACE_SIZE + FIRST_LANE] = 0;
 }

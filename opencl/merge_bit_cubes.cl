@@ -37,8 +37,9 @@ inline void addMask(__local uint* rows, uint entry, __global const uint* groups)
 
 // Spheres are taken 32 at a time: each lane finds the table entry of one of them, then all lanes read
 // the rows of all 32.
-inline uint mergeMasks(const Tile* tile, __global const float* spheres, uint sphereCount,
-                       const SphereTable* table, __local uint* room, __local uint* rows) {
+inline void mergeMasks(const Tile* tile, __global const float* spheres, uint sphereCount,
+                       const SphereTable* table, __local uint* room, __local uint* rows,
+                       uint* occupied) {
   const uint stride = sphereStride(sphereCount);
   clearRows(rows);
   for (uint first = 0; first < sphereCount; first += LANES) {
@@ -48,7 +49,7 @@ inline uint mergeMasks(const Tile* tile, __global const float* spheres, uint sph
     for (uint i = 0; i < count; ++i) addMask(rows, room[i], table->groups);
     LANE_BARRIER();
   }
-  return ALL_GROUPS;
+  occupyAllRows(occupied);
 }
 #else
 // Spheres are taken 16 at a time: entries of them all for all samples, then lists of the groups that
@@ -72,10 +73,10 @@ inline uint listGroups(__local const uint* entries, uint count, __local uint* li
   for (uint group = 0; group < GROUPS; ++group) sizes[group] = 0;
   for (uint i = 0; i < count; ++i) {
     const uint16 entry = ((__local const uint16*)entries)[i], own = GROUPS_OF(entry);
-    uint groups = joinElements(own);
+    const uint groups = joinElements(own);
     occupied |= groups;
-    for (; groups; groups &= groups - 1) {
-      const uint bit = groups & -groups, group = 31 - clz(bit);
+    FOR_EACH_BIT(group, groups) {
+      const uint bit = 1u << group;
       const uint16 place = (entry >> GROUPS) + groupCount(own & (bit - 1));
       ((__local uint16*)(lists + group * LIST_SIZE))[sizes[group]++] =
           select((uint16)(0), place, (int16)((own & bit) != 0));
@@ -93,8 +94,22 @@ inline void addList(__local uint16* rows, __local const uint* list, uint size,
   }
 }
 
-inline uint mergeMasks(const Tile* tile, __global const float* spheres, uint sphereCount,
-                       const SphereTable* table, __local uint* room, __local uint* rows) {
+// Of some groups, the rows that hold a bit of any sample.
+inline void occupyRows(__local const uint16* rows, uint groups, uint* occupied) {
+  const uint16 rowBits = (uint16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192,
+                                  16384, 32768);
+  for (uint face = 0; face < FACES; ++face) occupied[face] = 0;
+  FOR_EACH_BIT(group, groups) {
+    uint16 joined = rows[group];
+    for (uint sample = 1; sample < TILE; ++sample) joined |= rows[sample * GROUPS + group];
+    occupied[group / 2] |= joinElements(select((uint16)(0), rowBits, joined != 0))
+                           << group % 2 * GROUP_ROWS;
+  }
+}
+
+inline void mergeMasks(const Tile* tile, __global const float* spheres, uint sphereCount,
+                       const SphereTable* table, __local uint* room, __local uint* rows,
+                       uint* occupied) {
   const uint stride = sphereStride(sphereCount);
   __local uint* lists = room + LIST_SIZE;
   uint sizes[GROUPS], all = 0;
@@ -102,15 +117,13 @@ inline uint mergeMasks(const Tile* tile, __global const float* spheres, uint sph
   for (uint first = 0; first < sphereCount; first += SPHERES_AT_ONCE) {
     const uint count = min((uint)SPHERES_AT_ONCE, sphereCount - first);
     findTableEntries(tile, spheres, stride, first, count, table->entries, room);
-    uint occupied = listGroups(room, count, lists, sizes);
-    all |= occupied;
-    for (; occupied; occupied &= occupied - 1) {
-      const uint group = 31 - clz(occupied & -occupied);
+    const uint groups = listGroups(room, count, lists, sizes);
+    all |= groups;
+    FOR_EACH_BIT(group, groups)
       addList((__local uint16*)rows + group, lists + group * LIST_SIZE, sizes[group],
               (__global const uint16*)table->groups);
-    }
   }
-  return all;
+  occupyRows((__local const uint16*)rows, all, occupied);
 }
 #endif
 
@@ -125,6 +138,7 @@ HAARLIGHT_KERNEL void mergeBitCubes(__global const float4* restrict positions,
   SAMPLE_LOCAL(uint, rows, TILE * BIT_CUBE_ROWS);
   const Tile tile = loadTile(positions, normals);
   const SphereTable table = {tableEntries, tableGroups};
-  mergeMasks(&tile, spheres, sphereCount, &table, room, rows);
+  uint occupied[FACES];
+  mergeMasks(&tile, spheres, sphereCount, &table, room, rows, occupied);
   storeRows(rows, bitCubes + FIRST_OF_TILE * BIT_CUBE_ROWS);
 }

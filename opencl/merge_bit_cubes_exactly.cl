@@ -16,8 +16,8 @@ inline uint rowBits(const FaceCaps* caps, int row) {
 }
 
 // The union for one sample; `room` is for CAP_FLOATS numbers.
-inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphereCount,
-                      __local float* room, __local uint* rows) {
+inline void mergeCaps(const Tile* tile, __global const float* spheres, uint sphereCount,
+                      __local float* room, __local uint* rows, uint* occupied) {
   const uint stride = sphereStride(sphereCount);
   clearRows(rows);
   for (uint first = 0; first < sphereCount; first += LANES) {
@@ -42,7 +42,7 @@ inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphe
     }
     LANE_BARRIER();
   }
-  return ALL_GROUPS;
+  occupyAllRows(occupied);
 }
 #else
 #define CAP_FLOATS (REACH_VECTORS * SPHERES_AT_ONCE + BIT_CUBE_ROWS)
@@ -91,15 +91,6 @@ inline void addSphere(const Caps* caps, __local const uint* reached, const TileR
   }
 }
 
-// Groups of 16 rows that hold touched ones.
-inline uint groupsOf(const uint* touched) {
-  uint groups = 0;
-  for (uint face = 0; face < FACES; ++face)
-    groups |= ((touched[face] & 0xffffu ? 1u : 0u) | (touched[face] >> GROUP_ROWS ? 2u : 0u))
-              << 2 * face;
-  return groups;
-}
-
 inline void coverTouchedRows(const TileRoom* room, const uint* touched) {
   for (uint face = 0; face < FACES; ++face)
     FOR_EACH_BIT(row, touched[face])
@@ -107,16 +98,16 @@ inline void coverTouchedRows(const TileRoom* room, const uint* touched) {
 }
 
 // The unions for a tile.
-inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphereCount,
-                      __local float* reachRoom, __local uint* rows) {
+inline void mergeCaps(const Tile* tile, __global const float* spheres, uint sphereCount,
+                      __local float* reachRoom, __local uint* rows, uint* occupied) {
   const uint stride = sphereStride(sphereCount);
   const TileBall ball = ballOf(tile);
   __local const uint* reached = (__local const uint*)reachRoom;
   const TileRoom room = {(__local LaneUint*)rows,
                          (__local uint*)reachRoom + REACH_VECTORS * SPHERES_AT_ONCE};
-  uint occupied = 0;
   clearRows(rows);
   for (uint row = 0; row < BIT_CUBE_ROWS; ++row) room.covered[row] = 0;
+  for (uint face = 0; face < FACES; ++face) occupied[face] = 0;
   for (uint first = 0; first < sphereCount; first += SPHERES_AT_ONCE) {
     uint touched[FACES] = {0, 0, 0, 0, 0, 0};
     reachedByTile(&ball, spheres + first, stride, (__local LaneInt*)reachRoom);
@@ -126,10 +117,9 @@ inline uint mergeCaps(const Tile* tile, __global const float* spheres, uint sphe
       const Caps caps = capsOf(seeSphere(tile, spheres, stride, first + i));
       addSphere(&caps, reached + i, &room, touched);
     }
-    occupied |= groupsOf(touched);
+    for (uint face = 0; face < FACES; ++face) occupied[face] |= touched[face];
     if (first + SPHERES_AT_ONCE < sphereCount) coverTouchedRows(&room, touched);
   }
-  return occupied;
 }
 #endif
 
@@ -141,6 +131,7 @@ HAARLIGHT_KERNEL void mergeBitCubesExactly(__global const float4* restrict posit
   SAMPLE_LOCAL(float, room, CAP_FLOATS);
   SAMPLE_LOCAL(uint, rows, TILE * BIT_CUBE_ROWS);
   const Tile tile = loadTile(positions, normals);
-  mergeCaps(&tile, spheres, sphereCount, room, rows);
+  uint occupied[FACES];
+  mergeCaps(&tile, spheres, sphereCount, room, rows, occupied);
   storeRowsOfTile(rows, bitCubes + FIRST_OF_TILE * BIT_CUBE_ROWS);
 }

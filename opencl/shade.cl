@@ -1,11 +1,12 @@
 // All steps of a sample in one kernel, from spheres to radiance; nothing but the radiance is written.
 // The triple product is the sum of the weights of the blocked texels (src/engine/square_weights.h).
 
-// The bit cubes of a tile: rows of a sample lie `rowStep` words apart, samples `sampleStep`; only
-// `groups` of them hold blocked texels.
+// The bit cubes of a tile: rows of a sample lie `rowStep` words apart, samples `sampleStep`; only those
+// of `occupied`, a word of row bits for every face, may hold blocked texels.
 typedef struct {
   __local const uint* rows;
-  uint rowStep, sampleStep, groups;
+  uint rowStep, sampleStep;
+  const uint* occupied;
 } TileRows;
 
 #if LANES_PER_ITEM == 1
@@ -56,9 +57,10 @@ inline uint4 total(ColumnSums sums) {
 }
 
 #define NO_SUMS {(uint16)(0), (uint16)(0), (uint16)(0)}
-#define FOR_EACH_ROW(row)                                                                 \
-  for (uint left = tile->groups; left; left &= left - 1)                                  \
-    for (uint end = GROUP_ROWS * (32 - clz(left & -left)), row = end - GROUP_ROWS; row < end; ++row)
+#define FOR_EACH_ROW(row)                        \
+  for (uint face = 0; face < FACES; ++face)      \
+    FOR_EACH_BIT(rowOfFace, tile->occupied[face]) \
+      for (uint row = face * FACE_SIZE + rowOfFace, once = 1; once; once = 0)
 
 // The weights of a sample's blocked texels.
 inline uint4 addBlockedTexels(const TileRows* tile, uint sample, __global const uint* weights) {
@@ -166,8 +168,9 @@ HAARLIGHT_KERNEL void shadeByTable(__global const float4* restrict positions,
   SAMPLE_LOCAL(uint, room, SHADE_ROOM);
   const Tile tile = loadTile(positions, normals);
   const SphereTable table = {tableEntries, tableGroups};
-  const uint groups = mergeMasks(&tile, spheres, sphereCount, &table, mergeRoom, room);
-  const TileRows rows = {room, 1, BIT_CUBE_ROWS, groups};
+  uint occupied[FACES];
+  mergeMasks(&tile, spheres, sphereCount, &table, mergeRoom, room, occupied);
+  const TileRows rows = {room, 1, BIT_CUBE_ROWS, occupied};
   const LobeTables tables = {lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales};
   shadeTile(&rows, room, receivers, &tables, radiance);
 }
@@ -186,8 +189,9 @@ HAARLIGHT_KERNEL void shadeExactly(__global const float4* restrict positions,
   SAMPLE_LOCAL(float, caps, CAP_FLOATS);
   SAMPLE_LOCAL(uint, room, SHADE_ROOM);
   const Tile tile = loadTile(positions, normals);
-  const uint groups = mergeCaps(&tile, spheres, sphereCount, caps, room);
-  const TileRows rows = {room, TILE, 1, groups};
+  uint occupied[FACES];
+  mergeCaps(&tile, spheres, sphereCount, caps, room, occupied);
+  const TileRows rows = {room, TILE, 1, occupied};
   const LobeTables tables = {lobesPerReceiver, lobeSlots, texelWeights, unshadowed, scales};
   shadeTile(&rows, room, receivers, &tables, radiance);
 }
