@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <bitset>
 #include <mutex>
 #include <set>
 
@@ -19,27 +20,28 @@ double bitCount(std::uint32_t bits) {
   return std::popcount(bits);
 }
 
-/// Bit g: group g holds a blocked texel.
-std::uint32_t groupsOf(const BitCube& cube) {
-  std::uint32_t groups = 0;
-  for (int row = 0; row < bitCubeRows; ++row)
-    groups |= std::uint32_t(cube.rows[row] != 0) << row / SphereTable::groupRows;
-  return groups;
+/// Bit r: row r holds a blocked texel.
+using RowSet = std::bitset<bitCubeRows>;
+
+RowSet rowsOf(const BitCube& cube) {
+  RowSet rows;
+  for (int row = 0; row < bitCubeRows; ++row) rows[row] = cube.rows[row] != 0;
+  return rows;
 }
 
 double lobesOf(const LobeBlend& blend) {
   return double(std::ranges::count_if(blend.weights, [](float weight) { return weight != 0; }));
 }
 
-/// Groups of the weights that two samples read, which have these groups blocked.
-double weightGroupsOf(const LobeBlend& one, std::uint32_t groups, const LobeBlend& other,
-                      std::uint32_t otherGroups) {
+/// Rows of weights that two samples read, which have these rows blocked.
+double weightRowsOf(const LobeBlend& one, const RowSet& rows, const LobeBlend& other,
+                    const RowSet& otherRows) {
   double count = 0;
   for (int i = 0; i < 3; ++i) {
-    const std::uint32_t own = one.weights[i] != 0 ? groups : 0,
-                        others = other.weights[i] != 0 ? otherGroups : 0;
+    const RowSet own = one.weights[i] != 0 ? rows : RowSet(),
+                 others = other.weights[i] != 0 ? otherRows : RowSet();
     const bool isShared = one.lobes[i] == other.lobes[i];
-    count += isShared ? bitCount(own | others) : bitCount(own) + bitCount(others);
+    count += double(isShared ? (own | others).count() : own.count() + others.count());
   }
   return count;
 }
@@ -59,7 +61,7 @@ class FrameCounter {
  private:
   struct Tile {
     FrameCounts counts;
-    std::uint32_t groups = 0;
+    RowSet rows;
     std::vector<int> masks;
   };
 
@@ -76,7 +78,7 @@ class FrameCounter {
   const SphereTable* table_;
   std::mutex mutex_;
   FrameCounts counts_;
-  std::uint32_t groups_ = 0;
+  RowSet rows_;
   std::vector<bool> maskIsUsed_;
 };
 
@@ -107,18 +109,17 @@ BitCube FrameCounter::testExactly(std::size_t sample, Tile& tile) const {
 
 void FrameCounter::countTile(std::size_t first, std::size_t end) {
   Tile tile;
-  std::uint32_t before = 0;  // groups of the sample before
+  RowSet before;  // of the sample before
   for (std::size_t sample = first; sample < end; ++sample) {
     const LobeBlend& blend = receivers_.lobes[sample];
-    const std::uint32_t groups = groupsOf(cubeOf(sample, tile));
-    tile.groups |= groups;
-    tile.counts.blockedGroups += bitCount(groups) * lobesOf(blend);
+    const RowSet rows = rowsOf(cubeOf(sample, tile));
+    tile.rows |= rows;
+    tile.counts.blockedRows += double(rows.count()) * lobesOf(blend);
     if ((sample - first) % 2 == 1)
-      tile.counts.weightGroups +=
-          weightGroupsOf(receivers_.lobes[sample - 1], before, blend, groups);
+      tile.counts.weightRows += weightRowsOf(receivers_.lobes[sample - 1], before, blend, rows);
     else if (sample + 1 == end)  // without another
-      tile.counts.weightGroups += bitCount(groups) * lobesOf(blend);
-    before = groups;
+      tile.counts.weightRows += double(rows.count()) * lobesOf(blend);
+    before = rows;
   }
   std::ranges::sort(tile.masks);
   const auto repeated = std::ranges::unique(tile.masks);
@@ -128,9 +129,9 @@ void FrameCounter::countTile(std::size_t first, std::size_t end) {
 
 void FrameCounter::add(const Tile& tile) {
   const std::lock_guard lock(mutex_);
-  groups_ |= tile.groups;
-  counts_.blockedGroups += tile.counts.blockedGroups;
-  counts_.weightGroups += tile.counts.weightGroups;
+  rows_ |= tile.rows;
+  counts_.blockedRows += tile.counts.blockedRows;
+  counts_.weightRows += tile.counts.weightRows;
   counts_.maskGroups += tile.counts.maskGroups;
   counts_.reachedFaces += tile.counts.reachedFaces;
   counts_.reachedRows += tile.counts.reachedRows;
@@ -149,7 +150,7 @@ FrameCounts FrameCounter::result() const {
   FrameCounts counts = counts_;
   counts.samples = double(receivers_.size());
   counts.spheres = double(spheres_.size());
-  counts.differentBlockedGroups = bitCount(groups_);
+  counts.differentBlockedRows = double(rows_.count());
   std::set<std::uint32_t> lobes;
   for (const LobeBlend& blend : receivers_.lobes) {
     counts.lobes += lobesOf(blend);

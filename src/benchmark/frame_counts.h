@@ -15,13 +15,13 @@ struct FrameCounts {
   double lobes = 0, differentLobes = 0;
   /// Of the triple product's list, with fillers.
   double squares = 0;
-  /// Groups that hold a blocked texel, once for each of the sample's lobes, over all samples.
-  double blockedGroups = 0;
-  /// The same with each group once for two samples that follow each other, where they share a lobe:
+  /// Rows that hold a blocked texel, once for each of the sample's lobes, over all samples.
+  double blockedRows = 0;
+  /// The same with each row once for two samples that follow each other, where they share a lobe:
   /// kernels read its weights once.
-  double weightGroups = 0;
-  /// Groups in which any sample has a blocked texel: at most 12.
-  double differentBlockedGroups = 0;
+  double weightRows = 0;
+  /// Rows in which any sample has a blocked texel: at most 192.
+  double differentBlockedRows = 0;
 
   /// With the table, over all samples and spheres: groups of the masks.
   double maskGroups = 0;

@@ -47,15 +47,18 @@ inline constexpr double seeSphere = 8;
 /// of 6, 1 to convert; 2 for the index.
 inline constexpr double findMask = (25 + 2 * 23 + 4) + (12 + 30 + 1) + 2;
 
-/// opencl/merge_bit_cubes_exactly.cl. The cap: 12; which faces it may reach: for each face both
-/// directions of 11, and 3; 3 negations.
-inline constexpr double findCap = 12 + 6 * (2 * 11 + 3) + 3;
-/// A face: inverse of the quadratic's leading term 20, whether its roots are safe 13, rows
-/// reached 43.
-inline constexpr double enterFace = 76;
-/// A row: place 2, discriminant 5, its root 13, middle and ends 6, nearest columns 10, both tested
-/// 26, corrected 6, bits 4, empty or not 4, joined 2.
-inline constexpr double findInterval = 78;
+/// opencl/tile_reach.cl, once for a tile of 16 samples. Its enlarged cap: 20; which faces that may
+/// reach: for each face both directions of 11, and 3; on each face the ranges of rows and of columns,
+/// 60 each.
+inline constexpr double findReach = (20 + 6 * (2 * 11 + 3 + 2 * 60)) / 16.0;
+/// opencl/caps.cl. The cap: 12, and the root of its rim 13.
+inline constexpr double findCap = findReach + 25;
+/// A face: inverse of the quadratic's leading term 13, factors of its roots 3, whether they are
+/// safe 13.
+inline constexpr double enterFace = 29;
+/// opencl/cap_rows.cl. A row: place 2, discriminant 3, its root 7, middle and ends 5, within the face
+/// 4, nearest columns 2, both tested 18, bits 7, ahead or not 2, joined 2.
+inline constexpr double findInterval = 52;
 
 /// A group of a mask: 16 words of 32 texels.
 inline constexpr double wordsOfGroup = SphereTable::groupRows;
@@ -63,8 +66,8 @@ inline constexpr double bytesOfGroup = 4 * wordsOfGroup;
 /// A mask's number and groups.
 inline constexpr double bytesOfEntry = sizeof(std::uint32_t);
 
-/// Weights of a group's texels for one lobe: three channels, one addition each.
-inline constexpr double weightsOfGroup = 3 * faceSize * SphereTable::groupRows;
+/// Weights of a row's texels for one lobe: three channels, one addition each.
+inline constexpr double weightsOfRow = 3 * faceSize;
 
 /// opencl/transform_occlusion.cl. A block: 14 to collect its bits, 13 to count them, 2 for the
 /// mean; a square of levels 0 … 2: 12 for three coefficients and the mean.
@@ -113,11 +116,11 @@ inline StageWork merge(const FrameCounts& counts, VisibilityKind visibility) {
 
 /// Bit cubes to weights of blocked texels, added; two samples that share a lobe read them once.
 inline StageWork addWeights(const FrameCounts& counts) {
-  const double bytes = 4 * weightsOfGroup;
+  const double bytes = 4 * weightsOfRow;
   return {&StageTimes::fused,
-          counts.blockedGroups * weightsOfGroup,
-          {{counts.weightGroups * bytes,
-            counts.differentBlockedGroups * bytes * counts.differentLobes}}};
+          counts.blockedRows * weightsOfRow,
+          {{counts.weightRows * bytes,
+            counts.differentBlockedRows * bytes * counts.differentLobes}}};
 }
 
 /// Merging without bit cubes that leave the processor, and the weights of what is blocked.

@@ -1,4 +1,4 @@
-#include "../scene/json_schema.h"
+#include "scene/json_schema.h"
 #include "../verify/report_test_support.h"
 #include "run_haarlight.h"
 #include "test_support.h"

@@ -22,7 +22,7 @@ FrameCounts smallCounts() {
   counts.spheres = 2;
   counts.lobes = counts.differentLobes = 1;
   counts.squares = 160;
-  counts.blockedGroups = counts.weightGroups = counts.differentBlockedGroups = 3;
+  counts.blockedRows = counts.weightRows = counts.differentBlockedRows = 3;
   counts.maskGroups = counts.maskGroupsOfTiles = counts.maskGroupsOfFrame = 4;
   counts.masksOfTiles = counts.masksOfFrame = 2;
   counts.reachedFaces = 3;
@@ -64,9 +64,9 @@ TEST_CASE("the model counts a small frame as one does by hand") {
   REQUIRE(table.size() == 3);
   // 2 spheres of 8 + 120, 4 groups of 16 words, 3 groups of 16 rows of 96 weights.
   const StageWork& fused = stageOf(table, &StageTimes::fused);
-  CHECK(fused.operations == 2 * 128 + 4 * 16 + 3 * 16 * 96);
+  CHECK(fused.operations == 2 * 128 + 4 * 16 + 3 * 96);
   // 2 entries of 4 bytes, 4 groups of 64, position and normal, weights of 4 bytes.
-  CHECK(fused.bytes() == 2 * 4 + 4 * 64 + 32 + 3 * 16 * 96 * 4);
+  CHECK(fused.bytes() == 2 * 4 + 4 * 64 + 32 + 3 * 96 * 4);
   CHECK(stageOf(table, &StageTimes::upload).bytes() == 2 * 64);
   CHECK(stageOf(table, &StageTimes::readBack).bytes() == 2 * 16);
   CHECK(stageOf(table, &StageTimes::upload).operations == 0);
@@ -74,7 +74,7 @@ TEST_CASE("the model counts a small frame as one does by hand") {
   const auto staged = frameWork(counts, VisibilityKind::exact, FramePath::staged);
   REQUIRE(staged.size() == 5);
   const StageWork& merge = stageOf(staged, &StageTimes::merge);
-  CHECK(merge.operations == 2 * (8 + 165) + 3 * 76 + 20 * 78);
+  CHECK(merge.operations == 2 * (8 + 890 / 16.0 + 25) + 3 * 29 + 20 * 52);
   CHECK(merge.bytes() == 32 + 768);
   CHECK(stageOf(staged, &StageTimes::transform).operations == 384 * 29 + 126 * 12);
   CHECK(stageOf(staged, &StageTimes::transform).bytes() == 768 + 2808);
@@ -122,7 +122,7 @@ TEST_CASE("more work is never done in less time") {
       const double before = seconds(smallCounts(), visibility, path);
       for (double FrameCounts::*count :
            {&FrameCounts::samples, &FrameCounts::spheres, &FrameCounts::squares,
-            &FrameCounts::blockedGroups, &FrameCounts::maskGroups, &FrameCounts::reachedRows}) {
+            &FrameCounts::blockedRows, &FrameCounts::maskGroups, &FrameCounts::reachedRows}) {
         FrameCounts more = smallCounts();
         more.*count *= 2;
         CHECK(seconds(more, visibility, path) >= before);
@@ -137,7 +137,7 @@ TEST_CASE("rows and faces that spheres reach are counted on the frame") {
   const Receivers receivers = fewReceivers();
   const auto spheres = verify::paperFrame(3).spheres;
   const FrameCounts counts = countFrame(spheres, receivers, nullptr, 160);
-  double rows = 0, faces = 0, groups = 0, weights = 0;
+  double rows = 0, faces = 0, blockedRows = 0, weights = 0;
   std::set<int> different, ofTwo;
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     std::set<int> blocked;
@@ -149,11 +149,11 @@ TEST_CASE("rows and faces that spheres reach are counted on the frame") {
         if (!cube.rows[row]) continue;
         ++rows;
         ownFaces.insert(row / 32);
-        blocked.insert(row / 16);
+        blocked.insert(row);
       }
       faces += double(ownFaces.size());
     }
-    groups += double(blocked.size());
+    blockedRows += double(blocked.size());
     different.insert(blocked.begin(), blocked.end());
     ofTwo.insert(blocked.begin(), blocked.end());
     if (i % 2 == 1) {
@@ -164,9 +164,9 @@ TEST_CASE("rows and faces that spheres reach are counted on the frame") {
   CHECK(rows > 0);
   CHECK(counts.reachedRows == rows);
   CHECK(counts.reachedFaces == faces);
-  CHECK(counts.blockedGroups == groups);  // one lobe: the plane's normal is tabulated
-  CHECK(counts.weightGroups == weights);
-  CHECK(counts.differentBlockedGroups == double(different.size()));
+  CHECK(counts.blockedRows == blockedRows);  // one lobe: the plane's normal is tabulated
+  CHECK(counts.weightRows == weights);
+  CHECK(counts.differentBlockedRows == double(different.size()));
   CHECK(counts.samples == 40);
   CHECK(counts.spheres == 3);
   CHECK(counts.lobes == 40);
@@ -187,12 +187,12 @@ TEST_CASE("samples without another, or with other lobes, read weights alone") {
     two.add(glm::vec3(few.positions[0]), {0, 1, 0});
     turned.add(glm::vec3(few.positions[0]), {i, 1 - i, 0});
   }
-  const double alone = countsOf(one).weightGroups;
+  const double alone = countsOf(one).weightRows;
   CHECK(alone > 0);
-  CHECK(countsOf(one).blockedGroups == alone);
-  CHECK(countsOf(two).weightGroups == alone);
-  CHECK(countsOf(two).blockedGroups == 2 * alone);
-  CHECK(countsOf(turned).weightGroups == countsOf(turned).blockedGroups);
+  CHECK(countsOf(one).blockedRows == alone);
+  CHECK(countsOf(two).weightRows == alone);
+  CHECK(countsOf(two).blockedRows == 2 * alone);
+  CHECK(countsOf(turned).weightRows == countsOf(turned).blockedRows);
   CHECK(countsOf(turned).differentLobes == 2);
 }
 
