@@ -48,16 +48,16 @@ inline constexpr double seeSphere = 8;
 inline constexpr double findMask = (25 + 2 * 23 + 4) + (12 + 30 + 1) + 2;
 
 /// opencl/tile_reach.cl, once for a tile of 16 samples. Its enlarged cap: 20; which faces that may
-/// reach: for each face both directions of 11, and 3; on each face the ranges of rows and of columns,
-/// 60 each.
+/// reach: for each face both directions of 11, and 3; on each face the ranges of rows and of
+/// columns, 60 each.
 inline constexpr double findReach = (20 + 6 * (2 * 11 + 3 + 2 * 60)) / 16.0;
 /// opencl/caps.cl. The cap: 12, and the root of its rim 13.
 inline constexpr double findCap = findReach + 25;
 /// A face: inverse of the quadratic's leading term 13, factors of its roots 3, whether they are
 /// safe 13.
 inline constexpr double enterFace = 29;
-/// opencl/cap_rows.cl. A row: place 2, discriminant 3, its root 7, middle and ends 5, within the face
-/// 4, nearest columns 2, both tested 18, bits 7, ahead or not 2, joined 2.
+/// opencl/cap_rows.cl. A row: place 2, discriminant 3, its root 7, middle and ends 5, within the
+/// face 4, nearest columns 2, both tested 18, bits 7, ahead or not 2, joined 2.
 inline constexpr double findInterval = 52;
 
 /// A group of a mask: 16 words of 32 texels.
@@ -117,10 +117,10 @@ inline StageWork merge(const FrameCounts& counts, VisibilityKind visibility) {
 /// Bit cubes to weights of blocked texels, added; two samples that share a lobe read them once.
 inline StageWork addWeights(const FrameCounts& counts) {
   const double bytes = 4 * weightsOfRow;
-  return {&StageTimes::fused,
-          counts.blockedRows * weightsOfRow,
-          {{counts.weightRows * bytes,
-            counts.differentBlockedRows * bytes * counts.differentLobes}}};
+  return {
+      &StageTimes::fused,
+      counts.blockedRows * weightsOfRow,
+      {{counts.weightRows * bytes, counts.differentBlockedRows * bytes * counts.differentLobes}}};
 }
 
 /// Merging without bit cubes that leave the processor, and the weights of what is blocked.

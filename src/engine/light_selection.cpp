@@ -9,16 +9,6 @@ namespace haarlight {
 
 namespace {
 
-/// Mean over the receivers of psum(p) for every square: face · 341 + mean index.
-std::vector<double> meanLobe(std::span<const UsedLobe> lobes) {
-  std::vector<double> mean(faceCount * meansPerFace);
-  for (const UsedLobe& lobe : lobes)
-    for (int face = 0; face < faceCount; ++face)
-      for (int i = 0; i < meansPerFace; ++i)
-        mean[face * meansPerFace + i] += lobe.importance * lobe.haar[face].means[i];
-  return mean;
-}
-
 struct RankedTerm {
   LightTerm term;
   double rank;
@@ -41,9 +31,15 @@ std::vector<RankedTerm> rankWavelets(const LightHaar& light, ShadingSettings::Ra
 
 }  // namespace
 
+void MeanLobe::add(const HaarCube<float>& lobe, double importance) {
+  for (int face = 0; face < faceCount; ++face)
+    for (int i = 0; i < meansPerFace; ++i)
+      squares_[face * meansPerFace + i] += importance * lobe[face].means[i];
+}
+
 std::vector<LightTerm> selectLightTerms(const LightHaar& light, const ShadingSettings& settings,
-                                        std::span<const UsedLobe> lobes) {
-  auto ranked = rankWavelets(light, settings.ranking, meanLobe(lobes));
+                                        const MeanLobe& lobe) {
+  auto ranked = rankWavelets(light, settings.ranking, lobe.squares());
   std::ranges::stable_sort(ranked, std::ranges::greater(), &RankedTerm::rank);
   ranked.resize(std::min<std::size_t>(settings.terms, ranked.size()));
   std::vector<LightTerm> terms;

@@ -26,20 +26,31 @@ LightHaar transformLight(const RadianceCube& light) {
 }
 
 /// The lobes that occur among the receivers, in the order of their slots.
-std::vector<UsedLobe> transformUsedLobes(std::span<const double> importance) {
-  std::vector<UsedLobe> used;
+std::vector<int> usedLobes(std::span<const double> importance) {
+  std::vector<int> used;
   for (int lobe = 0; lobe < lobeCount; ++lobe)
-    if (importance[lobe] > 0) used.push_back({lobe, importance[lobe], {}});
-  parallelFor(used.size(), 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) used[i].haar = lobeHaar(used[i].lobe);
-  });
+    if (importance[lobe] > 0) used.push_back(lobe);
   return used;
 }
 
-std::vector<std::uint32_t> assignSlots(std::span<const UsedLobe> lobes) {
+/// Some lobes at a time are in memory: all of them take 42 MB.
+MeanLobe meanOf(std::span<const int> lobes, std::span<const double> importance) {
+  constexpr std::size_t block = 64;
+  std::vector<HaarCube<float>> transformed(std::min(block, lobes.size()));
+  MeanLobe mean;
+  for (std::size_t first = 0; first < lobes.size(); first += block) {
+    const std::size_t count = std::min(block, lobes.size() - first);
+    parallelFor(count, 8, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) transformed[i] = lobeHaar(lobes[first + i]);
+    });
+    for (std::size_t i = 0; i < count; ++i) mean.add(transformed[i], importance[lobes[first + i]]);
+  }
+  return mean;
+}
+
+std::vector<std::uint32_t> assignSlots(std::span<const int> lobes) {
   std::vector<std::uint32_t> slots(lobeCount, std::uint32_t(lobes.size()));
-  for (std::size_t slot = 0; slot < lobes.size(); ++slot)
-    slots[lobes[slot].lobe] = std::uint32_t(slot);
+  for (std::size_t slot = 0; slot < lobes.size(); ++slot) slots[lobes[slot]] = std::uint32_t(slot);
   return slots;
 }
 
@@ -97,8 +108,8 @@ ShadingTables buildShadingTables(const RadianceCube& light, const ShadingSetting
                                  std::span<const double> lobeImportance) {
   check(settings);
   const LightHaar lightHaar = transformLight(light);
-  const auto lobes = transformUsedLobes(lobeImportance);
-  const auto terms = selectLightTerms(lightHaar, settings, lobes);
+  const auto lobes = usedLobes(lobeImportance);
+  const auto terms = selectLightTerms(lightHaar, settings, meanOf(lobes, lobeImportance));
   const SquareList squares(terms, settings);
 
   ShadingTables tables;
@@ -111,7 +122,7 @@ ShadingTables buildShadingTables(const RadianceCube& light, const ShadingSetting
   tables.scales.assign(slots, {1, 1, 1, 0});
   parallelFor(lobes.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t slot = begin; slot < end; ++slot) {
-      const HaarCube<float>& lobe = lobes[slot].haar;
+      const HaarCube<float> lobe = lobeHaar(lobes[slot]);
       const auto weights = gatherBySquares(squares, settings, lightHaar, terms, lobe);
       setLobe(tables, slot,
               roundWeights(squares, weights, haarlight::unshadowedRadiance(lightHaar, lobe)));

@@ -47,8 +47,9 @@ struct Example {
     return haarForwardCube<glm::dvec3, double>(texels);
   }
   std::vector<LightTerm> termsOf(const ShadingSettings& settings) const {
-    const UsedLobe used{0, 1, lobe};
-    return selectLightTerms(light, settings, std::span(&used, 1));
+    MeanLobe mean;
+    mean.add(lobe, 1);
+    return selectLightTerms(light, settings, mean);
   }
 };
 
