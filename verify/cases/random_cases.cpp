@@ -44,6 +44,18 @@ Receivers randomReceivers(PortableRandom& random, bool startAtOrigin) {
   return receivers;
 }
 
+/// Two tiles on a grid around a place, which all look the same way, as on a surface that is finely
+/// sampled.
+Receivers closeReceivers(PortableRandom& random) {
+  constexpr int count = 32, reach = 8;
+  Receivers receivers;
+  const glm::vec3 middle = gridPoint(random), normal = randomNormal(random);
+  const auto offset = [&] { return float(random.below(2 * reach + 1) - reach) / 64; };
+  for (int i = 0; i < count; ++i)
+    receivers.add(middle + glm::vec3(offset(), offset(), offset()), normal);
+  return receivers;
+}
+
 /// Often few, so that a case is quick; at times the counts around the sizes of groups.
 int randomSphereCount(PortableRandom& random) {
   constexpr std::array special{1, 31, 32, 33, 64, 255, 256};
@@ -55,17 +67,42 @@ Viewpoint viewpoint(const Receivers& receivers, int index) {
   return {receivers.positions[std::size_t(index)], receivers.normals[std::size_t(index)]};
 }
 
-enum class CaseKind { any, denormals, bounds };
+enum class CaseKind { any, close, bounds, far, denormals };
 
-/// Of every eight cases one has spheres at denormal distances, and one nothing but small spheres on
-/// bounds, which do not hide one another as others do.
+/// Of every eight cases one has receivers close together; one nothing but small spheres on bounds,
+/// which do not hide one another as others do; one close receivers and spheres that are far, for
+/// the most part; and one spheres at denormal distances.
 CaseKind kindOf(std::size_t index) {
-  return index % 8 == 7 ? CaseKind::denormals : index % 8 == 5 ? CaseKind::bounds : CaseKind::any;
+  switch (index % 8) {
+    case 3:
+      return CaseKind::close;
+    case 5:
+      return CaseKind::bounds;
+    case 6:
+      return CaseKind::far;
+    case 7:
+      return CaseKind::denormals;
+    default:
+      return CaseKind::any;
+  }
+}
+
+Receivers receiversFor(CaseKind kind, PortableRandom& random) {
+  if (kind == CaseKind::close || kind == CaseKind::far) return closeReceivers(random);
+  return randomReceivers(random, kind != CaseKind::any || random.below(2));
 }
 
 Sphere randomSphere(PortableRandom& random, const Case& before, CaseKind kind) {
   const int count = int(before.spheres.size());
   if (kind == CaseKind::bounds) return smallSphereOnBound(random, before.receivers.normals[0]);
+  if (kind == CaseKind::close && random.below(8)) {
+    Sphere sphere =
+        ordinarySphere(random, viewpoint(before.receivers, random.below(receiverCount)));
+    sphere.radius *= 0.3f;  // so that the first ones do not block everything
+    return sphere;
+  }
+  if (kind == CaseKind::far && random.below(4))
+    return farSphere(random, viewpoint(before.receivers, random.below(receiverCount)));
   if (kind == CaseKind::denormals && (count == 0 || random.below(4) == 0))
     return denormalSphere(random);
   if (count > 0 && random.below(12) == 0) return before.spheres[std::size_t(random.below(count))];
@@ -99,8 +136,9 @@ Case randomCase(std::uint64_t seed, std::size_t index) {
   const CaseKind kind = kindOf(index);
   Case result;
   result.name = "random " + std::to_string(index);
-  result.receivers = randomReceivers(random, kind != CaseKind::any || random.below(2));
-  const int count = randomSphereCount(random);
+  result.receivers = receiversFor(kind, random);
+  // Close receivers need many spheres, so that some are hidden from all of them.
+  const int count = kind == CaseKind::close ? 96 + random.below(161) : randomSphereCount(random);
   while (int(result.spheres.size()) < count)
     result.spheres.push_back(randomSphere(random, result, kind));
   result.light = randomLight(random.next());

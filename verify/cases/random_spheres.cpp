@@ -50,11 +50,6 @@ glm::vec3 everydayVector(PortableRandom& random) {
   return distance * randomDirection(random);
 }
 
-Sphere ordinarySphere(PortableRandom& random, const Viewpoint& view) {
-  const glm::vec3 toCenter = everydayVector(random);
-  return {view.position + toCenter, random.uniform(0.05f, 1.5f)};
-}
-
 Sphere tinySphere(PortableRandom& random, const Viewpoint& view) {
   const glm::vec3 toCenter = everydayVector(random);
   return {view.position + toCenter, anyMagnitude(random, -40, -10)};
@@ -118,6 +113,12 @@ Sphere overflowingSphere(PortableRandom& random, const Viewpoint& view) {
   if (random.below(2))
     return {view.position + everydayVector(random), anyMagnitude(random, 64, 100)};
   const float distance = anyMagnitude(random, 65, 67);
+  return {view.position + distance * randomDirection(random), random.uniform(1, 1e5f)};
+}
+
+/// Sums of two or three squares overflow, or do not.
+Sphere almostOverflowingSphere(PortableRandom& random, const Viewpoint& view) {
+  const float distance = anyMagnitude(random, 63, 65);
   return {view.position + distance * randomDirection(random), random.uniform(1, 1e5f)};
 }
 
@@ -253,6 +254,22 @@ Sphere denormalSphere(PortableRandom& random) {
       return {center, anyMagnitude(random, -133, -60)};
     default:
       return {center, random.uniform(0.1f, 2)};
+  }
+}
+
+Sphere ordinarySphere(PortableRandom& random, const Viewpoint& view) {
+  const glm::vec3 toCenter = everydayVector(random);
+  return {view.position + toCenter, random.uniform(0.05f, 1.5f)};
+}
+
+Sphere farSphere(PortableRandom& random, const Viewpoint& view) {
+  switch (random.below(4)) {
+    case 0:
+      return hugeSphere(random, view);
+    case 1:
+      return overflowingSphere(random, view);
+    default:
+      return almostOverflowingSphere(random, view);
   }
 }
 

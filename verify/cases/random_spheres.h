@@ -30,6 +30,12 @@ Sphere smallSphereOnBound(PortableRandom& random, const glm::vec3& normal);
 /// A sphere at a distance of 10⁻⁴⁰ … 10⁻¹⁸, or with such a radius, for a viewpoint at the origin.
 Sphere denormalSphere(PortableRandom& random);
 
+/// Of a size and at a distance that scenes have, mostly beside the sample.
+Sphere ordinarySphere(PortableRandom& random, const Viewpoint& view);
+
+/// A sphere that is huge or far: with squares of 2²⁶ … 2¹⁰⁰, that overflow or are about to.
+Sphere farSphere(PortableRandom& random, const Viewpoint& view);
+
 /// Any unit vector.
 glm::vec3 randomDirection(PortableRandom& random);
 /// ±X, ±Y or ±Z.
