@@ -1,68 +1,47 @@
 #include "sh/basis.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
+#include "sh/legendre_recurrence.h"
+
 namespace haarlight {
 
 namespace {
 
-/// With s = sin θ, the normalised Legendre functions p_lm = √2 K_lm P_lm / s^m (without √2 for
-/// m = 0) obey
-///
-///     p_mm = diagonal[m],   p_lm = first[l, m] z p_(l−1)m − second[l, m] p_(l−2)m
-///
-/// where first and second follow from the recurrence of P and the ratios of the K.
 template <typename Real>
-struct LegendreRecurrence {
-  static constexpr int entryCount = maximumShOrder * (maximumShOrder + 1) / 2;
-
-  std::array<Real, maximumShOrder> diagonal;
-  std::array<Real, entryCount> first{}, second{};
-
-  static constexpr int entry(int l, int m) { return l * (l + 1) / 2 + m; }
-
-  LegendreRecurrence() {
-    double value = std::sqrt(0.25 / std::numbers::pi);
-    diagonal[0] = Real(value);
-    value *= std::numbers::sqrt2;
-    for (int m = 1; m < maximumShOrder; ++m) {
-      value *= -std::sqrt((2 * m + 1) / (2.0 * m));
-      diagonal[m] = Real(value);
-    }
-    for (int l = 1; l < maximumShOrder; ++l)
-      for (int m = 0; m < l; ++m) {
-        const double squares = l * l - m * m, before = (l - 1) * (l - 1) - m * m;
-        first[entry(l, m)] = Real(std::sqrt((4.0 * l * l - 1) / squares));
-        if (l > m + 1)
-          second[entry(l, m)] = Real(std::sqrt((2 * l + 1) * before / ((2 * l - 3) * squares)));
-      }
+LegendreRecurrence<Real> makeRecurrence() {
+  LegendreRecurrence<Real> recurrence;
+  double value = std::sqrt(0.25 / std::numbers::pi);
+  recurrence.diagonal[0] = Real(value);
+  value *= std::numbers::sqrt2;
+  for (int m = 1; m < maximumShOrder; ++m) {
+    value *= -std::sqrt((2 * m + 1) / (2.0 * m));
+    recurrence.diagonal[m] = Real(value);
   }
-
-  /// Calls visit(l, p_lm) for l = m … order − 1.
-  template <typename Visit>
-  void column(int order, int m, Real z, const Visit& visit) const {
-    Real previous = 0, current = diagonal[m];
-    visit(m, current);
-    for (int l = m + 1; l < order; ++l) {
-      const Real next = first[entry(l, m)] * z * current - second[entry(l, m)] * previous;
-      previous = current;
-      current = next;
-      visit(l, current);
+  for (int l = 1; l < maximumShOrder; ++l)
+    for (int m = 0; m < l; ++m) {
+      const double squares = l * l - m * m, before = (l - 1) * (l - 1) - m * m;
+      const int entry = recurrence.entry(l, m);
+      recurrence.first[entry] = Real(std::sqrt((4.0 * l * l - 1) / squares));
+      if (l > m + 1)
+        recurrence.second[entry] = Real(std::sqrt((2 * l + 1) * before / ((2 * l - 3) * squares)));
     }
-  }
-};
-
-template <typename Real>
-const LegendreRecurrence<Real>& legendreRecurrence() {
-  static const LegendreRecurrence<Real> recurrence;
   return recurrence;
 }
 
 }  // namespace
+
+template <typename Real>
+const LegendreRecurrence<Real>& legendreRecurrence() {
+  static const LegendreRecurrence<Real> recurrence = makeRecurrence<Real>();
+  return recurrence;
+}
+
+template const LegendreRecurrence<float>& legendreRecurrence();
+template const LegendreRecurrence<double>& legendreRecurrence();
 
 void requireShOrder(int order) {
   if (order < 1 || order > maximumShOrder)

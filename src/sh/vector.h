@@ -62,12 +62,15 @@ class ShVector {
   Value& at(int l, int m) { return coefficients_[shIndex(l, m)]; }
   const Value& at(int l, int m) const { return coefficients_[shIndex(l, m)]; }
 
-  std::span<Value> coefficients() { return coefficients_; }
-  std::span<const Value> coefficients() const { return coefficients_; }
+  /// Views of the coefficients; a function that is about to go gives none.
+  std::span<Value> coefficients() & { return coefficients_; }
+  std::span<const Value> coefficients() const& { return coefficients_; }
+  std::span<const Value> coefficients() const&& = delete;
 
   /// The 2l + 1 coefficients of degree l, from m = −l on.
-  std::span<Value> band(int l) { return coefficients().subspan(l * l, 2 * l + 1); }
-  std::span<const Value> band(int l) const { return coefficients().subspan(l * l, 2 * l + 1); }
+  std::span<Value> band(int l) & { return coefficients().subspan(l * l, 2 * l + 1); }
+  std::span<const Value> band(int l) const& { return coefficients().subspan(l * l, 2 * l + 1); }
+  std::span<const Value> band(int l) const&& = delete;
 
   /// The same function with fewer bands, or with bands of zeros added.
   ShVector withOrder(int order) const {
