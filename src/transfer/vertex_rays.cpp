@@ -96,7 +96,7 @@ void VertexRays::castPacket(std::uint32_t vertex, const VertexFan& fan, std::siz
     view.blocked[first + i] = 1;
     if (face->lit) view.reflectors.push_back(placeAt(*face));
   }
-  std::array<TriangleHit, packet> hits;
+  std::array<TriangleHit, packet> hits{};
   const std::uint16_t met =
       scene_.closestHits16(mesh_.positions[vertex], directions, hits, open, near_);
   for (std::size_t i = 0; i < count; ++i) {

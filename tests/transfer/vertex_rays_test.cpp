@@ -68,7 +68,7 @@ TEST_CASE("a vertex in the middle of a face that it is no corner of is not block
     const auto coordinate = [&] { return 0.2f + float(random.uniform()); };
     TriangleMesh mesh;
     mesh.positions = {{0, 0, 0}, {4, 0, coordinate()}, {0, 4, coordinate()}};
-    const glm::vec3 &a = mesh.positions[1], &b = mesh.positions[2];
+    const glm::vec3 a = mesh.positions[1], b = mesh.positions[2];
     const glm::vec3 normal = glm::normalize(glm::cross(a, b));
     for (const float shift : {0.0f, 0.1f, 0.2f})
       mesh.positions.push_back((0.3f + shift) * a + (0.3f + shift * shift) * b);
