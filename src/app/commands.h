@@ -10,6 +10,7 @@ void addBenchCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addFitCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
+void addPrtCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addTrackCommand(CLI::App& app);
 void addVerifyCommand(CLI::App& app);

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/transfer_json.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/parallel.h"
@@ -23,6 +24,7 @@
 #include "scene/scene_file.h"
 #include "spheres/sphere_measures.h"
 #include "spheres/sphere_set.h"
+#include "transfer/transfer_file.h"
 
 namespace haarlight {
 
@@ -86,6 +88,15 @@ Json describeSet(const std::string& name, const std::string& mesh, Console& cons
   info["smallest_radius"] = smallest.radius;
   info["largest_radius"] = largest.radius;
   if (!mesh.empty()) info["measured_against"] = measureSet(set, mesh, console);
+  return info;
+}
+
+/// Throws InputError when a mesh is given that the transfer was not computed for.
+Json describeTransfer(const std::string& name, const std::string& mesh) {
+  const DiffuseTransfer transfer = readTransfer(name);
+  if (!mesh.empty()) requireTransferOf(transfer, name, loadMeshOrBuiltin(mesh).mesh, mesh);
+  Json info{{"kind", "transfer"}};
+  info.update(transferJson(transfer));
   return info;
 }
 
@@ -169,6 +180,7 @@ Json describeFile(const std::string& name, const std::string& mesh, Console& con
     return isSphereSet(name) ? describeSet(name, mesh, console) : describeSceneFile(name);
   if (extension == ".hdr" || extension == ".exr" || extension == ".pic" || extension == ".rgbe")
     return describeImage(name, console);
+  if (extension == ".prt") return describeTransfer(name, mesh);
   return describeMesh(name, console);
 }
 
@@ -180,12 +192,14 @@ void addInfoCommand(CLI::App& app) {
     std::string file, mesh;
   };
   const auto options = std::make_shared<InfoOptions>();
-  CLI::App* command =
-      app.add_subcommand("info", "Say what a mesh, light, image, sphere set or scene file holds");
+  CLI::App* command = app.add_subcommand(
+      "info", "Say what a mesh, light, image, sphere set, transfer or scene file holds");
   command->footer("Example: haarlight info grace.hdr");
   command->add_option("FILE", options->file, "File, or builtin:…")->required();
-  command->add_option("--mesh", options->mesh,
-                      "Measure a sphere set against this mesh, with three million points");
+  command->add_option(
+      "--mesh", options->mesh,
+      "Measure a sphere set against this mesh, with three million points; check that a "
+      "transfer is this mesh's");
   addGeneralOptions(*command, options->general);
   command->callback([options] {
     Console console(options->general.json, options->general.quiet);

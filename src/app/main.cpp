@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   haarlight::addRenderCommand(app);
   haarlight::addBakeCommand(app);
   haarlight::addFitCommand(app);
+  haarlight::addPrtCommand(app);
   haarlight::addInfoCommand(app);
   haarlight::addTrackCommand(app);
   haarlight::addDevicesCommand(app);

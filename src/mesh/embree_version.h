@@ -24,6 +24,11 @@ inline void intersect(RTCScene scene, RTCRayHit& rayHit) {
   rtcIntersect1(scene, &context, &rayHit);
 }
 
+inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16& rayHits) {
+  RTCIntersectContext context = newContext();
+  rtcIntersect16(valid, scene, &context, &rayHits);
+}
+
 inline void occlude(RTCScene scene, RTCRay& ray) {
   RTCIntersectContext context = newContext();
   rtcOccluded1(scene, &context, &ray);
@@ -38,6 +43,10 @@ inline void occlude16(const int* valid, RTCScene scene, RTCRay16& rays) {
 
 inline void intersect(RTCScene scene, RTCRayHit& rayHit) {
   rtcIntersect1(scene, &rayHit, nullptr);
+}
+
+inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16& rayHits) {
+  rtcIntersect16(valid, scene, &rayHits, nullptr);
 }
 
 inline void occlude(RTCScene scene, RTCRay& ray) {

@@ -51,6 +51,24 @@ RTCRay newRay(const glm::vec3& origin, const glm::vec3& direction, float near) {
   return ray;
 }
 
+/// Ray i of sixteen.
+void setRay(RTCRay16& rays, std::size_t i, const glm::vec3& origin, const glm::vec3& direction,
+            float near) {
+  rays.org_x[i] = origin.x, rays.org_y[i] = origin.y, rays.org_z[i] = origin.z;
+  rays.dir_x[i] = direction.x, rays.dir_y[i] = direction.y, rays.dir_z[i] = direction.z;
+  rays.tnear[i] = near;
+  rays.tfar[i] = infinity;
+  rays.mask[i] = ~0u;
+}
+
+/// Embree's −1 or 0 for each bit.
+struct Active {
+  explicit Active(std::uint16_t bits) {
+    for (std::size_t i = 0; i < 16; ++i) lanes[i] = bits >> i & 1 ? -1 : 0;
+  }
+  alignas(64) int lanes[16];
+};
+
 }  // namespace
 
 struct RayScene::Implementation {
@@ -154,6 +172,29 @@ std::optional<RayHit> RayScene::closestHit(const glm::vec3& origin, const glm::v
   return hit;
 }
 
+std::uint16_t RayScene::closestHits16(const glm::vec3& origin,
+                                      std::span<const glm::vec3, 16> directions,
+                                      std::span<TriangleHit, 16> hits, std::uint16_t valid,
+                                      float near) const {
+  RTCRayHit16 query{};
+  const Active active(valid);
+  for (std::size_t i = 0; i < 16; ++i) {
+    setRay(query.ray, i, origin, directions[i], near);
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  embree::intersect16(active.lanes, implementation_->scene, query);
+  unsigned met = 0;
+  for (std::size_t i = 0; i < 16; ++i) {
+    if (!active.lanes[i] || query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    met |= 1u << i;
+    hits[i] = {query.hit.geomID[i],
+               query.hit.primID[i],
+               {query.hit.u[i], query.hit.v[i]},
+               query.ray.tfar[i]};
+  }
+  return static_cast<std::uint16_t>(met);
+}
+
 bool RayScene::occluded(const glm::vec3& origin, const glm::vec3& direction, float near) const {
   RTCRay ray = newRay(origin, direction, near);
   embree::occlude(implementation_->scene, ray);
@@ -164,20 +205,11 @@ std::uint16_t RayScene::occluded16(std::span<const glm::vec3, 16> origins,
                                    std::span<const glm::vec3, 16> directions, std::uint16_t valid,
                                    float near) const {
   RTCRay16 rays{};
-  alignas(64) int active[16];
-  for (std::size_t i = 0; i < 16; ++i) {
-    active[i] = valid >> i & 1 ? -1 : 0;
-    rays.org_x[i] = origins[i].x, rays.org_y[i] = origins[i].y, rays.org_z[i] = origins[i].z;
-    rays.dir_x[i] = directions[i].x;
-    rays.dir_y[i] = directions[i].y;
-    rays.dir_z[i] = directions[i].z;
-    rays.tnear[i] = near;
-    rays.tfar[i] = infinity;
-    rays.mask[i] = ~0u;
-  }
-  embree::occlude16(active, implementation_->scene, rays);
+  const Active active(valid);
+  for (std::size_t i = 0; i < 16; ++i) setRay(rays, i, origins[i], directions[i], near);
+  embree::occlude16(active.lanes, implementation_->scene, rays);
   unsigned hits = 0;
-  for (unsigned i = 0; i < 16; ++i) hits |= unsigned(active[i] && rays.tfar[i] < 0) << i;
+  for (unsigned i = 0; i < 16; ++i) hits |= unsigned(active.lanes[i] && rays.tfar[i] < 0) << i;
   return static_cast<std::uint16_t>(hits);
 }
 

@@ -23,6 +23,13 @@ struct RayHit {
   glm::vec3 geometricNormal{0};  ///< unit, on the side from which the winding is counter-clockwise
 };
 
+/// What a ray meets first, in numbers only.
+struct TriangleHit {
+  std::uint32_t object, triangle;
+  glm::vec2 barycentric;  ///< weights of the triangle's second and third vertex
+  float distance;         ///< in lengths of the ray's direction
+};
+
 /// Triangle meshes, or spheres, prepared for ray queries by Embree. Directions need not be unit
 /// vectors; a ray starts at origin + near · direction and has no end. Queries may run on any number
 /// of threads.
@@ -40,6 +47,12 @@ class RayScene {
 
   std::optional<RayHit> closestHit(const glm::vec3& origin, const glm::vec3& direction,
                                    float near = 0) const;
+
+  /// Sixteen rays from one point at once; bit i of `valid` says whether ray i counts. Bit i of the
+  /// result is set, and hits[i] filled, when ray i counts and meets something.
+  std::uint16_t closestHits16(const glm::vec3& origin, std::span<const glm::vec3, 16> directions,
+                              std::span<TriangleHit, 16> hits, std::uint16_t valid = 0xffff,
+                              float near = 0) const;
 
   bool occluded(const glm::vec3& origin, const glm::vec3& direction, float near = 0) const;
 

@@ -27,6 +27,7 @@ TEST_CASE("the help of every command names its options and gives an example") {
       {"bake",
        joined(sceneOptions, {"--output", "--object", "--size", "--compare-to", "--frame-rate"})},
       {"fit", {"MESH", "--output", "--spheres", "--seed"}},
+      {"prt", {"MESH", "--output", "--order", "--bounces", "--rays", "--albedo", "--seed"}},
       {"info", {"FILE"}},
       {"devices", {}}};
   for (const auto& [command, options] : helps) {
@@ -48,7 +49,7 @@ TEST_CASE("the help of every command names its options and gives an example") {
 TEST_CASE("the program's help names the commands, and its version is one line") {
   const Outcome help = runHaarlight({"--help"});
   CHECK(help.exitCode == 0);
-  for (const char* command : {"render", "bake", "fit", "info", "devices"})
+  for (const char* command : {"render", "bake", "fit", "prt", "info", "devices"})
     CHECK(contains(help.output, std::string("\n  ") + command + " "));
   const Outcome version = runHaarlight({"--version"});
   CHECK(version.exitCode == 0);

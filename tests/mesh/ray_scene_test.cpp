@@ -126,6 +126,34 @@ TEST_CASE("sixteen rays at once see what single rays see, on all threads") {
   CHECK(hits.load() > 500);
 }
 
+TEST_CASE("sixteen rays from a point meet what single rays meet") {
+  const TriangleMesh knot = torusKnot(), ball = icosphere(2);
+  const RayScene scene(std::array{&knot, &ball});
+  Random random(9);
+  int met = 0;
+  for (int i = 0; i < 200; ++i) {
+    const glm::vec3 origin = randomVector(random);
+    std::array<glm::vec3, 16> directions;
+    for (glm::vec3& direction : directions) direction = randomVector(random);
+    const auto valid = static_cast<std::uint16_t>(random.next());
+    std::array<TriangleHit, 16> hits{};
+    const std::uint16_t mask = scene.closestHits16(origin, directions, hits, valid, 0.01f);
+    CHECK((mask & ~valid) == 0);
+    for (int ray = 0; ray < 16; ++ray) {
+      if (!(valid >> ray & 1)) continue;
+      const auto single = scene.closestHit(origin, directions[ray], 0.01f);
+      REQUIRE(bool(mask >> ray & 1) == single.has_value());
+      if (!single) continue;
+      ++met;
+      CHECK(hits[ray].object == single->object);
+      CHECK(hits[ray].distance == doctest::Approx(single->distance).epsilon(1e-5));
+      if (hits[ray].triangle == single->triangle)  // else they meet in an edge
+        CHECK(glm::distance(hits[ray].barycentric, single->barycentric) < 1e-3f);
+    }
+  }
+  CHECK(met > 500);
+}
+
 TEST_CASE("rays meet spheres where they meet the true ones") {
   Random random(5);
   std::vector<Sphere> spheres;

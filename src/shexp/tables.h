@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <vector>
+
+namespace haarlight {
+
+/// Orders that spherical-harmonic exponentiation is offered for; arrays are sized for the largest.
+inline constexpr int smallestShexpOrder = 2;
+inline constexpr int largestShexpOrder = 6;
+inline constexpr int largestShexpCount = largestShexpOrder * largestShexpOrder;
+
+/// One product of a squaring: weight · g_first · g_second.
+struct ShexpSquareTerm {
+  std::uint16_t first, second;
+  float weight;
+};
+static_assert(sizeof(ShexpSquareTerm) == 8);
+
+/// All that spherical-harmonic exponentiation reads, in flat arrays and single precision, as every
+/// engine reads it. Made in double.
+struct ShexpTables {
+  /// Rows of `logarithms` less one: cos α = row/128 for a sphere of angular radius α.
+  static constexpr int logarithmRows = 128;
+  /// Rows of `linear` less one.
+  static constexpr int linearRows = 16;
+
+  /// Where not given: a norm of 1/8 and below needs no squaring. 1/4 saves one of some four
+  /// squarings, and at order 6 costs half as much error again with a single sphere.
+  static constexpr double defaultLinearLimit = 0.125;
+
+  /// Throws std::invalid_argument for a wrong order, or a limit not above 0 or beyond the norm of
+  /// the largest sphere's logarithm (about 6).
+  explicit ShexpTables(int shOrder, double limit = defaultLinearLimit);
+
+  int order;
+  /// row · order + l holds √(4π/(2l + 1)) f_l, the factor of y_lm in a sphere's rotated logarithm.
+  std::vector<float> logarithms;
+  /// exp f ≈ a + b f for a function without mean of norm row/16 · linearLimit: (√4π a, b).
+  std::vector<glm::vec2> linear;
+  float linearLimit;
+  /// 16/linearLimit: rows per unit of the norm.
+  float linearScale;
+  /// Recurrence of the basis, the beginning of sh/legendre_recurrence.h: entry l(l + 1)/2 + m.
+  std::array<float, largestShexpOrder> diagonal{};
+  std::array<float, largestShexpOrder*(largestShexpOrder + 1) / 2> first{}, second{};
+  /// Coefficient k of a square is the sum of terms squareStarts[k] … squareStarts[k + 1] − 1.
+  std::vector<std::uint32_t> squareStarts;
+  std::vector<ShexpSquareTerm> squareTerms;
+
+ private:
+  void tabulateLogarithms();
+  void tabulateLinear();
+  void copyRecurrence();
+  void tabulateSquare();
+};
+
+}  // namespace haarlight
