@@ -194,6 +194,7 @@ std::shared_ptr<Engine> openEngine(const SceneOptions& options, const SceneDescr
   engineOptions.onRefusal = [&](const std::string& reason) {
     console.warning(reason + "; trying the next one");
   };
+  engineOptions.onWarning = [&](const std::string& warning) { console.warning(warning); };
   std::shared_ptr<Engine> engine = makeEngine(engineOptions, std::move(table));
   if (engineOptions.engine == "auto" && engine->name() == "reference")
     console.warning(referenceWarning());

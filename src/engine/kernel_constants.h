@@ -22,6 +22,6 @@
   CONSTANT(BLOCKS_PER_FACE, haarlight::blocksPerFace)                  \
   CONSTANT(BLOCKS_PER_SIDE, haarlight::blocksPerSide)                  \
   CONSTANT(TILE_SAMPLES, haarlight::tileSamples)                       \
-  CONSTANT(TEXEL_WEIGHTS, 3 * haarlight::texelCount)                   \
+  CONSTANT(TEXEL_WEIGHTS, haarlight::texelWeightCount)                 \
   CONSTANT(ABSENT_SQUARE, haarlight::ShadingTables::absentSquare)
 // clang-format on
