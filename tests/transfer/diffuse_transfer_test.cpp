@@ -163,7 +163,7 @@ TEST_CASE("options out of range are refused") {
   refused([](TransferOptions& o) { o.albedo.z = std::numeric_limits<float>::quiet_NaN(); });
 }
 
-TEST_CASE("the whole bunny: most light arrives, and every bounce brings much less than the one before") {
+TEST_CASE("on the whole bunny every bounce brings much less than the one before") {
   const auto path = testData("meshes/bunny.obj");
   if (!path) return;
   const LoadedMesh bunny = loadMesh(*path);
