@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "engine/growing_buffer.h"
 #include "engine/lobe_window.h"
@@ -54,6 +55,12 @@ struct DeviceBinding {
   GrowingBuffer listStarts, vertices, weights, radiusFactors, positions, moved;
 };
 
+/// Tables of exponentiation on the device.
+struct DeviceExponentiation {
+  std::optional<ShexpTables> visibility;
+  GrowingBuffer logarithms, linear, constants, squareStarts, squareTerms, lobeSlots, lightLobes;
+};
+
 /// What one batch of receivers passes from kernel to kernel.
 struct BatchBuffers {
   GrowingBuffer positions, normals, lobes, bitCubes, coefficients, means, blocks, radiance;
@@ -82,6 +89,9 @@ class KernelEngine final : public Engine {
   void setFramePath(FramePath path) override { path_ = path; }
   std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                StageTimes* times) override;
+  void setExponentiation(const ExponentiationTables& tables) override;
+  std::vector<glm::vec4> shadeByExponentiation(std::span<const Sphere> spheres,
+                                               ReceiverSpan receivers, StageTimes* times) override;
 
  private:
   DeviceBuffer& room(GrowingBuffer& buffer, std::size_t bytes) {
@@ -114,6 +124,13 @@ class KernelEngine final : public Engine {
   CommandSeconds launchFused(std::size_t spheres, std::span<const LobeBlend> lobes);
   void shadeFused(std::size_t spheres, ReceiverSpan receivers, std::span<glm::vec4> radiance,
                   StageTimes& times);
+  void shadeLowOrder(std::size_t spheres, ReceiverSpan receivers, std::span<glm::vec4> radiance,
+                     StageTimes& times);
+  using ShadeBatch = void (KernelEngine::*)(std::size_t spheres, ReceiverSpan receivers,
+                                            std::span<glm::vec4> radiance, StageTimes& times);
+  std::vector<glm::vec4> shadeInBatches(ShadeBatch shadeBatch, std::size_t batch,
+                                        std::span<const Sphere> spheres, ReceiverSpan receivers,
+                                        StageTimes* times);
   void warmUp();
 
   std::unique_ptr<KernelDevice> device_;
@@ -129,6 +146,7 @@ class KernelEngine final : public Engine {
   DeviceTables tables_;
   DeviceWindow window_;
   DeviceBinding binding_;
+  DeviceExponentiation exponentiation_;
   double preparationSeconds_ = 0;
 };
 
@@ -435,26 +453,72 @@ void KernelEngine::shadeStaged(std::size_t spheres, ReceiverSpan receivers,
   times.tripleProduct += product();
 }
 
-std::vector<glm::vec4> KernelEngine::shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
-                                           StageTimes* times) {
+std::vector<glm::vec4> KernelEngine::shadeInBatches(ShadeBatch shadeBatch, std::size_t batch,
+                                                    std::span<const Sphere> spheres,
+                                                    ReceiverSpan receivers, StageTimes* times) {
   StageTimes ignored;
   StageTimes& stages = times ? *times : ignored;
   const auto start = Clock::now();
   uploadSpheres(spheres);
   std::vector<glm::vec4> radiance(receivers.size());
-  const bool fused = path_ == FramePath::fused;
-  const std::size_t batch = fused ? fusedBatch : device_->batchSize();
   for (std::size_t first = 0; first < receivers.size(); first += batch) {
     const std::size_t count = std::min(batch, receivers.size() - first);
-    const auto part = receivers.part(first, count);
-    const auto out = std::span(radiance).subspan(first, count);
-    if (fused)
-      shadeFused(spheres.size(), part, out, stages);
-    else
-      shadeStaged(spheres.size(), part, out, stages);
+    (this->*shadeBatch)(spheres.size(), receivers.part(first, count),
+                        std::span(radiance).subspan(first, count), stages);
   }
   stages.total += secondsSince(start);
   return radiance;
+}
+
+std::vector<glm::vec4> KernelEngine::shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
+                                           StageTimes* times) {
+  if (path_ == FramePath::fused)
+    return shadeInBatches(&KernelEngine::shadeFused, fusedBatch, spheres, receivers, times);
+  return shadeInBatches(&KernelEngine::shadeStaged, device_->batchSize(), spheres, receivers,
+                        times);
+}
+
+/// The kernel, which some drivers compile when it is first launched, runs once at the first call.
+void KernelEngine::setExponentiation(const ExponentiationTables& tables) {
+  const bool isFirst = !exponentiation_.visibility;
+  const ShexpTables& visibility = exponentiation_.visibility.emplace(tables.visibility);
+  upload(exponentiation_.logarithms, std::span(visibility.logarithms));
+  upload(exponentiation_.linear, std::span(visibility.linear));
+  upload(exponentiation_.constants, std::span(&visibility.constants, 1));
+  upload(exponentiation_.squareStarts, std::span(visibility.squareStarts));
+  upload(exponentiation_.squareTerms, std::span(visibility.squareTerms));
+  upload(exponentiation_.lobeSlots, std::span(tables.lobeSlots));
+  upload(exponentiation_.lightLobes, std::span(tables.lightLobes));
+  if (!isFirst) return;
+  Receivers receivers;
+  receivers.add({0, 0, 0}, {0, 1, 0});
+  shadeByExponentiation({}, receivers, nullptr);
+}
+
+void KernelEngine::shadeLowOrder(std::size_t spheres, ReceiverSpan receivers,
+                                 std::span<glm::vec4> radiance, StageTimes& times) {
+  const std::array uploads{uploadSamples(batch_.positions, receivers.positions),
+                           uploadSamples(batch_.normals, receivers.normals),
+                           uploadSamples(batch_.lobes, receivers.lobes)};
+  const ShexpTables& visibility = exponentiation_.visibility.value();
+  const CommandSeconds shading = launchTiles(
+      "shadeByExponentiation", receivers.size(),
+      std::array<KernelArgument, 16>{
+          batch_.positions, batch_.normals, batch_.lobes, spheres_, std::uint32_t(spheres),
+          std::uint32_t(visibility.order), std::uint32_t(visibility.mostHalvings(spheres)),
+          exponentiation_.logarithms, exponentiation_.linear, exponentiation_.constants,
+          exponentiation_.squareStarts, exponentiation_.squareTerms,
+          lobesPerReceiver(receivers.lobes), exponentiation_.lobeSlots, exponentiation_.lightLobes,
+          roomFor(batch_.radiance, receivers.size(), sizeof(glm::vec4))});
+  times.readBack += download(batch_.radiance, radiance)();
+  for (const CommandSeconds& seconds : uploads) times.upload += seconds();
+  times.fused += shading();
+}
+
+std::vector<glm::vec4> KernelEngine::shadeByExponentiation(std::span<const Sphere> spheres,
+                                                           ReceiverSpan receivers,
+                                                           StageTimes* times) {
+  return shadeInBatches(&KernelEngine::shadeLowOrder, fusedBatch, spheres, receivers, times);
 }
 
 }  // namespace

@@ -89,6 +89,18 @@ TEST_CASE("every method renders, and is compared to another") {
     CHECK(comparison.at("rmse") == 0);
     CHECK(comparison.at("mean") > 0);
   }
+  for (const char* engine : {"reference", "auto", "cuda-host"}) {
+    const auto results = resultsOf(joined(
+        {"render", "-o", folder / (engine + std::string(".exr")), "--method", "shexp", "--order",
+         "5", "--engine", engine, "--compare-to", "shexp", "--compare-to", "pixel"},
+        tiny));
+    CHECK(results.at("method") == "shexp");
+    CHECK(results.at("order") == 5);
+    CHECK(results.at("comparison").at(0).at("rmse") == 0);
+    CHECK(results.at("comparison").at(1).at("rmse_relative_to_mean_percent") < 20);
+    CHECK(readImage(folder / (engine + std::string(".exr"))).image.pixels ==
+          readImage(folder / "reference.exr").image.pixels);
+  }
   // Some of the light is left out, so that the two must differ, but not by much.
   const auto haar = resultsOf(joined({"render", "-o", folder / "picture.exr", "--terms", "50",
                                       "--light", "builtin:sky", "--compare-to", "pixel"},
