@@ -51,7 +51,8 @@ __device__ inline void addColumn(const ShexpTables* tables, int m, const float* 
                                  float cosine, float sine, float* sum) {
   float previous = 0.0f;
   float current = tables->constants->diagonal[m];
-  UNROLL for (int l = m; l < SHEXP_BANDS; ++l) {
+  UNROLL for (int l = 0; l < SHEXP_BANDS; ++l) {
+    if (l < m) continue;
     if (l >= tables->order) break;
     if (l > m) {
       const int entry = l * (l + 1) / 2 + m;

@@ -54,7 +54,8 @@ inline void addColumn(const ShexpTables* tables, int m, const LaneFloat* factors
   LaneFloat previous = (LaneFloat)(0.0f);
   LaneFloat current = (LaneFloat)(tables->constants->diagonal[m]);
 #pragma unroll
-  for (int l = m; l < SHEXP_BANDS; ++l) {
+  for (int l = 0; l < SHEXP_BANDS; ++l) {
+    if (l < m) continue;
     if (l >= tables->order) break;
     if (l > m) {
       const int entry = l * (l + 1) / 2 + m;

@@ -4,34 +4,25 @@
 #include <array>
 
 #include "base/error.h"
-#include "base/text_format.h"
 #include "engine/devices.h"
+#include "engine/kernel_shape.h"
 #include "engine/self_test.h"
 
 namespace haarlight::verify {
 
 namespace {
 
-struct Shape {
-  int lanesPerItem, samplesPerGroup;
-};
-
 /// What engines use by themselves on CPUs and on GPUs, and, where the hardware runs work-groups at
 /// once, groups of one sample and full ones.
-std::vector<Shape> shapesOf(const DeviceDescription& device) {
+std::vector<KernelShape> shapesOf(const DeviceDescription& device) {
   if (device.emulation) return {{1, 4}};
   if (device.isCpu) return {{32, 1}, {1, 4}};
   if (device.engine == "opencl") return {{1, 1}, {1, 4}, {1, 8}, {32, 1}};
   return {{1, 1}, {1, 4}, {1, 8}};
 }
 
-std::string nameOf(const Shape& shape) {
-  return countText(std::uint64_t(shape.lanesPerItem), "lane") + " an item, " +
-         countText(std::uint64_t(shape.samplesPerGroup), "sample") + " a group";
-}
-
 /// Opens one subject; a failure becomes a note.
-void open(const DeviceDescription& device, const Shape& shape,
+void open(const DeviceDescription& device, const KernelShape& shape,
           const std::shared_ptr<const SphereTable>& table, Subjects& subjects) {
   EngineOptions options = optionsFor(device);
   options.lanesPerItem = shape.lanesPerItem;
@@ -79,7 +70,7 @@ Subjects openSubjects(const std::vector<std::string>& engines,
       subjects.absent.push_back({device.engine, device.name, device.problem, false});
       continue;
     }
-    for (const Shape& shape : shapesOf(device)) {
+    for (const KernelShape& shape : shapesOf(device)) {
       progress(device.engine + " on " + device.name + ", " + nameOf(shape));
       open(device, shape, nullptr, subjects);
       open(device, shape, table, subjects);

@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   haarlight::addFitCommand(app);
   haarlight::addPrtCommand(app);
   haarlight::addInfoCommand(app);
+  haarlight::addSkiesCommand(app);
   haarlight::addTrackCommand(app);
   haarlight::addDevicesCommand(app);
   haarlight::addVerifyCommand(app);

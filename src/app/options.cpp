@@ -10,6 +10,8 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "light/sky_model.h"
+#include "mesh/text_lines.h"
 #include "scene/names.h"
 #include "scene/scene_fields.h"
 #include "scene/scene_file.h"
@@ -52,11 +54,16 @@ struct TextOptions {
   }
 };
 
-/// CLI::Range lets NaN through.
-double checked(double value, const Range& range, const std::string& option) {
-  if (value >= range.minimum && value <= range.maximum) return value;
-  throw InputError(fmt::format("{} takes a number from {} to {}, not {}", option, range.minimum,
-                               range.maximum, value));
+void applySky(const SceneOptions& options, LightDescription& light) {
+  if (options.sun.empty() && !options.sunDisc) return;
+  const char* option = options.sun.empty() ? "--sun-disc" : "--sun";
+  if (!findSky(light.source))
+    throw InputError(
+        fmt::format("{} is for skies such as builtin:cie-clear, not for {}", option, light.source));
+  if (!light.sky) light.sky.emplace();
+  if (!options.sun.empty()) parseSun(options.sun, *light.sky);
+  if (options.sunDisc)
+    light.sky->sunDisc = withinRange(*options.sunDisc, sunDiscRange, "--sun-disc");
 }
 
 void applyLight(const SceneOptions& options, LightDescription& light) {
@@ -66,9 +73,10 @@ void applyLight(const SceneOptions& options, LightDescription& light) {
   }
   if (!options.layout.empty()) light.layout = options.layout;
   if (options.lightRotation)
-    light.rotateDegrees = checked(*options.lightRotation, angleRange, "--light-rotate");
+    light.rotateDegrees = withinRange(*options.lightRotation, angleRange, "--light-rotate");
   if (options.lightScale)
-    light.scale = checked(*options.lightScale, radianceRange, "--light-scale");
+    light.scale = withinRange(*options.lightScale, radianceRange, "--light-scale");
+  applySky(options, light);
 }
 
 void applyShading(const SceneOptions& options, ShadingDescription& shading) {
@@ -114,13 +122,22 @@ void addSceneContentOptions(CLI::App& command, SceneOptions& options) {
   const TextOptions text{command};
   text("--mesh", options.mesh, "Instead of a scene: a mesh on the ground plane", "Scene");
   text("--light", options.light,
-       "EXR or Radiance HDR image, builtin:lamps, builtin:sky or builtin:constant", "Scene");
+       "EXR or Radiance HDR image, builtin:lamps, builtin:sky, builtin:constant, or a sky such as "
+       "builtin:cie-clear or builtin:iso-sky-7",
+       "Scene");
   text("--layout", options.layout, "How the light's image covers the sphere [by its shape]",
        "Scene")
       ->check(CLI::IsMember(std::vector<std::string>(lightLayouts.begin(), lightLayouts.end())));
   command.add_option("--light-rotate", options.lightRotation, "Degrees about +Y [0]")
       ->group("Scene");
   command.add_option("--light-scale", options.lightScale, "Factor on the radiance [1]")
+      ->group("Scene");
+  text("--sun", options.sun,
+       "Of a sky: AZIMUTH,ELEVATION in degrees, from +Z towards +X and from the horizon [40,45]",
+       "Scene");
+  command
+      .add_option("--sun-disc", options.sunDisc,
+                  "Of a sky: the sun's disc, 1: as bright as on a clear day [0]")
       ->group("Scene");
 }
 
@@ -199,6 +216,7 @@ std::shared_ptr<Engine> openEngine(const SceneOptions& options, const SceneDescr
   engineOptions.onRefusal = [&](const std::string& reason) {
     console.warning(reason + "; trying the next one");
   };
+  engineOptions.onWarning = [&](const std::string& warning) { console.warning(warning); };
   std::shared_ptr<Engine> engine = makeEngine(engineOptions, std::move(table));
   if (engineOptions.engine == "auto" && engine->name() == "reference")
     console.warning(referenceWarning());
@@ -206,6 +224,24 @@ std::shared_ptr<Engine> openEngine(const SceneOptions& options, const SceneDescr
     console.message(fmt::format("{}: kernels ready in {:.2f} s", engine->deviceName(),
                                 engine->preparationSeconds()));
   return engine;
+}
+
+void parseSun(const std::string& text, SkySettings& sky) {
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const std::string_view view = text, azimuth = view.substr(0, comma),
+                         elevation = view.substr(std::min(comma + 1, text.size()));
+  if (!parseNumber(azimuth, sky.sunAzimuthDegrees) ||
+      !parseNumber(elevation, sky.sunElevationDegrees))
+    throw InputError("--sun takes AZIMUTH,ELEVATION in degrees such as 120,45, not '" + text + "'");
+  withinRange(sky.sunAzimuthDegrees, angleRange, "--sun's azimuth");
+  withinRange(sky.sunElevationDegrees, elevationRange, "--sun's elevation");
+}
+
+/// CLI::Range lets NaN through.
+double withinRange(double value, const Range& range, const std::string& option) {
+  if (value >= range.minimum && value <= range.maximum) return value;
+  throw InputError(fmt::format("{} takes a number from {} to {}, not {}", option, range.minimum,
+                               range.maximum, value));
 }
 
 glm::ivec2 parseSize(const std::string& text, const std::string& option) {

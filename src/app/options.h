@@ -8,6 +8,7 @@
 
 #include "app/console.h"
 #include "engine/devices.h"
+#include "scene/json_value.h"
 #include "scene/scene_description.h"
 
 namespace haarlight {
@@ -32,6 +33,8 @@ struct SceneOptions {
   std::string layout;
   std::optional<double> lightRotation;
   std::optional<double> lightScale;
+  std::string sun;
+  std::optional<double> sunDisc;
   std::optional<int> spheres;
   std::string objective;
   std::string method;
@@ -65,6 +68,12 @@ glm::ivec2 parseSize(const std::string& text, const std::string& option);
 
 /// --size of a receiver plane: the same, with at most 4096 samples a side.
 glm::ivec2 parseReceiverSize(const std::string& text);
+
+/// --sun: "120,45" as azimuth and elevation in degrees. Throws InputError.
+void parseSun(const std::string& text, SkySettings& sky);
+
+/// An option's number as it is. Throws InputError when it is out of range or not a number.
+double withinRange(double value, const Range& range, const std::string& option);
 
 /// Throws InputError unless a file of one of these extensions can be made at `target`, so that no
 /// work is done in vain.

@@ -64,15 +64,22 @@ std::string Subject::name() const {
   return joined({device.engine, device.name, visibilityName(), pathName()}, " · ");
 }
 
+std::vector<DeviceDescription> selectDevices(const std::vector<DeviceDescription>& devices,
+                                             const SubjectFilter& filter) {
+  checkNames(filter.engines);
+  std::vector<DeviceDescription> wanted;
+  for (const DeviceDescription& device : devices)
+    if (isWanted(device, filter)) wanted.push_back(device);
+  return wanted;
+}
+
 std::vector<Subject> selectSubjects(const std::vector<DeviceDescription>& devices,
                                     const SubjectFilter& filter, const std::string& advice) {
-  checkNames(filter.engines);
   std::vector<Subject> subjects;
-  for (const DeviceDescription& device : devices)
-    if (isWanted(device, filter))
-      for (const VisibilityKind visibility : filter.visibilities)
-        for (const FramePath path : pathsOf(device, filter))
-          subjects.push_back({device, visibility, path});
+  for (const DeviceDescription& device : selectDevices(devices, filter))
+    for (const VisibilityKind visibility : filter.visibilities)
+      for (const FramePath path : pathsOf(device, filter))
+        subjects.push_back({device, visibility, path});
   if (!subjects.empty()) return subjects;
   const std::string device = filter.device.empty() ? "" : " '" + filter.device + "'";
   throw InputError(joined({"no usable device" + device + " to measure",

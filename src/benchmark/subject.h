@@ -40,7 +40,12 @@ struct SubjectFilter {
   std::vector<FramePath> paths{FramePath::fused, FramePath::staged};
 };
 
-/// The usable ones among `devices`, each with every kind of visibility and path asked for; the
+/// The usable ones among `devices`; paths and kinds of visibility do not matter. Throws InputError
+/// when an engine is unknown.
+std::vector<DeviceDescription> selectDevices(const std::vector<DeviceDescription>& devices,
+                                             const SubjectFilter& filter);
+
+/// Those devices, each with every kind of visibility and path asked for; the
 /// reference has one path, which stands for both. Throws InputError when an engine is unknown or
 /// none is left, with `advice` on what could be done.
 std::vector<Subject> selectSubjects(const std::vector<DeviceDescription>& devices,

@@ -46,7 +46,8 @@ struct EngineOptions {
   std::string engine = "auto";
   /// Device by index or by a part of its name; empty: the first usable one, GPUs first.
   std::string device = {};
-  /// How samples are spread over work-items; 0: what suits the device. CUDA has one lane an item.
+  /// How samples are spread over work-items (engine/kernel_shape.h). Where both are 0, the device
+  /// has the shape of engine/shape_choice.h: the environment's, the tuned or the standard one.
   int lanesPerItem = 0;
   int samplesPerGroup = 0;
   FramePath path = FramePath::fused;
@@ -54,6 +55,8 @@ struct EngineOptions {
   bool selfTest = true;
   /// Told in words of every device that "auto" passes over because it failed.
   std::function<void(const std::string& reason)> onRefusal = {};
+  /// Told in words of a file of tuned shapes that is ignored (engine/tuned_shapes.h).
+  std::function<void(const std::string& warning)> onWarning = {};
 };
 
 /// Options that name a device of listDevices().

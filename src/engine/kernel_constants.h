@@ -23,10 +23,10 @@
   CONSTANT(BLOCKS_PER_FACE, haarlight::blocksPerFace)                  \
   CONSTANT(BLOCKS_PER_SIDE, haarlight::blocksPerSide)                  \
   CONSTANT(TILE_SAMPLES, haarlight::tileSamples)                       \
-  CONSTANT(TEXEL_WEIGHTS, 3 * haarlight::texelCount)                   \
-  CONSTANT(ABSENT_SQUARE, haarlight::ShadingTables::absentSquare)       \
-  CONSTANT(SHEXP_BANDS, haarlight::largestShexpOrder)                   \
-  CONSTANT(LOGARITHM_ROWS, haarlight::ShexpTables::logarithmRows)       \
-  CONSTANT(LINEAR_ROWS, haarlight::ShexpTables::linearRows)             \
+  CONSTANT(TEXEL_WEIGHTS, haarlight::texelWeightCount)                 \
+  CONSTANT(ABSENT_SQUARE, haarlight::ShadingTables::absentSquare)      \
+  CONSTANT(SHEXP_BANDS, haarlight::largestShexpOrder)                  \
+  CONSTANT(LOGARITHM_ROWS, haarlight::ShexpTables::logarithmRows)      \
+  CONSTANT(LINEAR_ROWS, haarlight::ShexpTables::linearRows)            \
   CONSTANT(LIGHT_LOBE_ROW, haarlight::ExponentiationTables::rowSize)
 // clang-format on

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <variant>
 
+#include "engine/kernel_shape.h"
+
 namespace haarlight {
 
 /// Memory of a KernelDevice.
@@ -26,20 +28,8 @@ using KernelArgument = std::variant<const DeviceBuffer*, std::uint32_t, glm::uve
 /// Seconds a command took on the device; to be called after a read() that followed the command.
 using CommandSeconds = std::function<double()>;
 
-/// How kernels share samples among work-items (opencl/lanes.cl, cuda/lanes.cu). No result depends
-/// on it.
-struct KernelShape {
-  /// Lanes a work-item carries: 1, or all 32 of a sample.
-  int lanesPerItem = 1;
-  /// Samples a work-group holds, 1 … maximumSamplesPerGroup.
-  int samplesPerGroup = 1;
-};
-
 /// Samples that an item with all lanes works on at a time where kernels merge.
 inline constexpr int tileSamples = 16;
-
-/// 8 samples of 32 lanes are groups of 256 work-items (method.md §9).
-inline constexpr int maximumSamplesPerGroup = 8;
 
 /// The kernels of every device.
 inline constexpr std::array<std::string_view, 10> kernelNames{

@@ -89,6 +89,9 @@ template <typename Vec3, typename Vec4>
 std::vector<Vec3> spreadOverTexels(const SquareList& squares,
                                    std::span<const ChannelWeights<Vec4>> weights);
 
+/// Numbers that the weights of all texels take for one lobe: texels times channels.
+inline constexpr int texelWeightCount = 3 * texelCount;
+
 /// Weights and unshadowed radiance of one lobe as integers; value = integer · scale.
 struct RoundedLobe {
   SquareWeights weights;

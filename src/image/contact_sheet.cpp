@@ -12,7 +12,6 @@ namespace {
 
 constexpr int textScale = 2;
 constexpr int lineHeight = 12 * textScale;
-const glm::vec3 background(0.03f);
 const glm::vec3 textColor(0.85f);
 
 /// Corner of a quad of stb_easy_font.
@@ -64,7 +63,7 @@ Image contactSheet(const std::vector<LabelledImage>& pictures, int gap) {
     height = std::max(height, picture.image.height);
   }
   Image sheet(width, height + lineHeight + 2 * gap);
-  fillRectangle(sheet, {0, 0}, {sheet.width, sheet.height}, background);
+  fillRectangle(sheet, {0, 0}, {sheet.width, sheet.height}, sheetBackground);
   int x = gap;
   for (const LabelledImage& picture : pictures) {
     drawText(sheet, {x, gap}, picture.label);
@@ -76,7 +75,7 @@ Image contactSheet(const std::vector<LabelledImage>& pictures, int gap) {
 
 Image stackSheets(const Image& upper, const Image& lower) {
   Image sheet(std::max(upper.width, lower.width), upper.height + lower.height);
-  fillRectangle(sheet, {0, 0}, {sheet.width, sheet.height}, background);
+  fillRectangle(sheet, {0, 0}, {sheet.width, sheet.height}, sheetBackground);
   copyImage(upper, sheet, {0, 0});
   copyImage(lower, sheet, {0, upper.height});
   return sheet;

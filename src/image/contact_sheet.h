@@ -7,6 +7,9 @@
 
 namespace haarlight {
 
+/// Around the pictures of a sheet: dark grey.
+inline constexpr glm::vec3 sheetBackground(0.03f);
+
 /// One picture of a sheet.
 struct LabelledImage {
   std::string label;  ///< ASCII; other bytes show as "?"

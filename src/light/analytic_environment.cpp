@@ -4,18 +4,15 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <numbers>
 
-#include "base/parallel.h"
-#include "cube/cube_map.h"
+#include "light/texel_sampling.h"
 
 namespace haarlight {
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int samplesPerSide = 32;
 
 }  // namespace
 
@@ -70,29 +67,15 @@ std::vector<Lobe> AnalyticEnvironment::lobesWithin(const glm::dvec3& unitDirecti
 }
 
 LightIntegrals AnalyticEnvironment::integrate(const glm::dmat3& rotation) const {
-  const glm::dmat3 toLight = glm::transpose(rotation);
-  constexpr double step = 2.0 / (faceSize * samplesPerSide);
-  LightIntegrals integrals;
-  const auto integrateTexel = [&](int texel) {
-    const int face = texel / texelsPerFace, row = texel / faceSize % faceSize,
-              column = texel % faceSize;
-    // No point of a texel is farther from its centre than half its diagonal on the cube.
-    const auto lobes = lobesWithin(toLight * texelDirection(texel), std::numbers::sqrt2 / faceSize);
-    for (int i = 0; i < samplesPerSide * samplesPerSide; ++i) {
-      const double s = -1 + (column * samplesPerSide + i % samplesPerSide + 0.5) * step;
-      const double t = -1 + (row * samplesPerSide + i / samplesPerSide + 0.5) * step;
-      const glm::dvec3 place = cubeDirection({face, s, t});
-      const double distance = glm::length(place);
-      const double solidAngle = step * step / (distance * distance * distance);
-      const glm::dvec3 direction = toLight * (place / distance);
+  constexpr int samplesPerSide = 32;
+  // No point of a texel is farther from its centre than half its diagonal on the cube.
+  constexpr double texelRadius = std::numbers::sqrt2 / faceSize;
+  LightIntegrals integrals = sampleTexels(rotation, samplesPerSide, [&](const glm::dvec3& center) {
+    return [this, lobes = lobesWithin(center, texelRadius)](const glm::dvec3& direction) {
       glm::dvec3 radiance = sky_.radiance(direction.y);
       for (const Lobe& lobe : lobes) radiance += lobe.radiance(direction);
-      integrals.radiance[texel] += solidAngle * radiance;
-      integrals.solidAngle[texel] += solidAngle;
-    }
-  };
-  parallelFor(texelCount, 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t texel = begin; texel < end; ++texel) integrateTexel(int(texel));
+      return radiance;
+    };
   });
   integrals.sourcePower = sky_.power();
   for (const Lobe& lobe : lobes_) integrals.sourcePower += lobe.power();

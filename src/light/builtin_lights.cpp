@@ -1,11 +1,16 @@
 #include "light/builtin_lights.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
 #include "base/error.h"
 #include "image/color.h"
 #include "light/analytic_environment.h"
+#include "light/azimuth.h"
+#include "light/sky_environment.h"
 
 namespace haarlight {
 
@@ -21,18 +26,14 @@ glm::dvec3 tinted(const glm::dvec3& tint, double value) {
 }
 
 struct LobeShape {
-  double elevation, azimuth, radius;  ///< degrees; azimuth from +Z towards +X
+  double elevation, azimuth, radius;  ///< degrees, as in directionAt
   double exponent;
 };
 
 /// A lobe that gives a floor this irradiance (as luminance).
 Lobe makeLobe(const LobeShape& shape, const glm::dvec3& tint, double floorIrradiance) {
-  const double elevation = glm::radians(shape.elevation), azimuth = glm::radians(shape.azimuth);
-  Lobe lobe{{std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
-             std::cos(elevation) * std::cos(azimuth)},
-            std::cos(glm::radians(shape.radius)),
-            shape.exponent,
-            tint};
+  Lobe lobe{directionAt(shape.azimuth, shape.elevation), std::cos(glm::radians(shape.radius)),
+            shape.exponent, tint};
   lobe.peak *= floorIrradiance / luminance(lobe.floorIrradiance());
   return lobe;
 }
@@ -72,16 +73,18 @@ constexpr BuiltinLight builtinLights[] = {
 std::vector<std::string> builtinLightNames() {
   std::vector<std::string> names;
   for (const BuiltinLight& light : builtinLights) names.push_back(light.name);
+  for (const SkyModel& sky : skyModels()) names.push_back(sky.name);
   return names;
 }
 
-std::unique_ptr<const Environment> makeBuiltinLight(const std::string& name) {
-  std::string list;
-  for (const BuiltinLight& light : builtinLights) {
+std::unique_ptr<const Environment> makeBuiltinLight(const std::string& name,
+                                                    const SkySettings& skySettings) {
+  for (const BuiltinLight& light : builtinLights)
     if (name == light.name) return light.make();
-    list += std::string(list.empty() ? "" : ", ") + light.name;
-  }
-  throw InputError("there is no light \"" + name + "\"; the built-in ones are " + list);
+  if (const SkyModel* sky = findSky(name))
+    return std::make_unique<SkyEnvironment>(*sky, skySettings);
+  throw InputError(fmt::format("there is no light \"{}\"; the built-in ones are {}", name,
+                               fmt::join(builtinLightNames(), ", ")));
 }
 
 }  // namespace haarlight

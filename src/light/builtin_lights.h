@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "light/environment.h"
+#include "light/sky_settings.h"
 
 namespace haarlight {
 
@@ -15,9 +16,12 @@ namespace haarlight {
 /// 42° above the horizon, over a dim bluish sky and dark ground; shadows both sharp and soft.
 /// `builtin:sky`: a glow 55° wide in radius around the sun over a bright sky; soft shadows only.
 /// `builtin:constant`: radiance 1 from everywhere.
+/// The skies of skyModels (light/sky_model.h), unless their zenith's radiance is given.
 std::vector<std::string> builtinLightNames();
 
-/// The light of one of these names. Throws InputError that lists them for any other.
-std::unique_ptr<const Environment> makeBuiltinLight(const std::string& name);
+/// The light of one of these names; `skySettings` are for skies. Throws InputError that lists the
+/// names for any other, and as SkyEnvironment does.
+std::unique_ptr<const Environment> makeBuiltinLight(const std::string& name,
+                                                    const SkySettings& skySettings = {});
 
 }  // namespace haarlight

@@ -18,12 +18,13 @@ bool isBlack(const Image& image) {
 
 }  // namespace
 
-LoadedLight loadLight(const std::string& nameOrPath, const std::string& layoutName) {
+LoadedLight loadLight(const std::string& nameOrPath, const std::string& layoutName,
+                      const SkySettings& skySettings) {
   if (nameOrPath.starts_with("builtin:")) {
     if (!layoutName.empty())
       throw InputError("the light " + nameOrPath + " has no layout; leave out \"" + layoutName +
                        "\"");
-    return {makeBuiltinLight(nameOrPath), {}};
+    return {makeBuiltinLight(nameOrPath, skySettings), {}};
   }
   ImageFile file = readImage(nameOrPath);
   if (isBlack(file.image)) file.warnings.push_back("every pixel is black");

@@ -1,7 +1,11 @@
 #include "render/moving_light.h"
 
+#include <algorithm>
+
 #include "light/blended_environment.h"
+#include "light/builtin_lights.h"
 #include "light/load_light.h"
+#include "light/sky_model.h"
 
 namespace haarlight {
 
@@ -15,11 +19,26 @@ std::vector<LightSource> sourcesOf(const LightDescription& description) {
   return sources;
 }
 
+bool isSky(const LightSource& source) {
+  return findSky(source.source) != nullptr;
+}
+
+/// Whether the description says anything about a sky.
+bool placesSun(const LightDescription& light) {
+  return light.sky ||
+         (light.motion && std::ranges::any_of(light.motion->keys, [](const LightKey& key) {
+            return key.sunAzimuthDegrees || key.sunElevationDegrees;
+          }));
+}
+
 }  // namespace
 
 MovingLight::MovingLight(const LightDescription& description, std::vector<std::string>& warnings)
     : description_(description) {
-  for (const LightSource& source : sourcesOf(description)) {
+  const std::vector<LightSource> sources = sourcesOf(description);
+  if (placesSun(description) && std::ranges::none_of(sources, isSky))
+    warnings.push_back("the scene places a sun, but its light is no sky: " + description.source);
+  for (const LightSource& source : sources) {
     auto& environment = environments_[{source.source, source.layout}];
     if (environment) continue;
     LoadedLight loaded = loadLight(source.source, source.layout == "auto" ? "" : source.layout);
@@ -28,11 +47,17 @@ MovingLight::MovingLight(const LightDescription& description, std::vector<std::s
   }
 }
 
+std::shared_ptr<const Environment> MovingLight::environmentOf(const LightSource& source,
+                                                              const SkySettings& sky) const {
+  if (isSky(source)) return makeBuiltinLight(source.source, sky);
+  return environments_.at({source.source, source.layout});
+}
+
 std::shared_ptr<const Environment> MovingLight::environmentAt(const LightState& state) const {
-  const auto from = environments_.at({state.from.source, state.from.layout});
+  auto from = environmentOf(state.from, state.sky);
   if (state.fraction == 0 || state.from == state.to) return from;
-  return std::make_shared<BlendedEnvironment>(
-      from, environments_.at({state.to.source, state.to.layout}), state.fraction);
+  return std::make_shared<BlendedEnvironment>(std::move(from), environmentOf(state.to, state.sky),
+                                              state.fraction);
 }
 
 bool MovingLight::show(double seconds, SceneLight& light) {

@@ -12,7 +12,8 @@
 
 namespace haarlight {
 
-/// A scene's light at any time. Each source is loaded once.
+/// A scene's light at any time. Each source is loaded once; skies are made anew for each second
+/// that is shown.
 class MovingLight {
  public:
   /// Loads all sources. Throws InputError. `warnings` gets one line for each thing unusual.
@@ -24,6 +25,8 @@ class MovingLight {
   bool show(double seconds, SceneLight& light);
 
  private:
+  std::shared_ptr<const Environment> environmentOf(const LightSource& source,
+                                                   const SkySettings& sky) const;
   std::shared_ptr<const Environment> environmentAt(const LightState& state) const;
 
   LightDescription description_;

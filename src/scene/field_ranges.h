@@ -17,6 +17,11 @@ inline constexpr Range factorRange{1e-6, 1e6};
 /// Degrees, of one turn and of a hundred.
 inline constexpr Range angleRange{-360, 360};
 inline constexpr Range turningRange{-36000, 36000};
+/// From the horizon to the zenith.
+inline constexpr Range elevationRange{0, 90};
+
+/// Of SkySettings::sunDisc.
+inline constexpr Range sunDiscRange{0, 100};
 
 inline constexpr Range secondsRange{0, 1e6};
 inline constexpr Range startRange{-1e6, 1e6};

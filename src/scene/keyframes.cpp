@@ -25,6 +25,23 @@ glm::dquat rotationAt(const MotionKey& from, const MotionKey& to, double fractio
   return glm::normalize(glm::slerp(start, unitQuaternion(to.rotation), fraction));
 }
 
+/// The settings at a key.
+SkySettings skyAt(const LightDescription& light, const LightKey& key) {
+  SkySettings sky = light.sky.value_or(SkySettings{});
+  sky.sunAzimuthDegrees = key.sunAzimuthDegrees.value_or(sky.sunAzimuthDegrees);
+  sky.sunElevationDegrees = key.sunElevationDegrees.value_or(sky.sunElevationDegrees);
+  return sky;
+}
+
+SkySettings skyBetween(const SkySettings& from, const SkySettings& to, const KeyPlace& place) {
+  SkySettings sky = from;
+  sky.sunAzimuthDegrees = place.between(from.sunAzimuthDegrees, to.sunAzimuthDegrees);
+  // Rounding must not lift the sun beyond the zenith.
+  sky.sunElevationDegrees =
+      std::min(place.between(from.sunElevationDegrees, to.sunElevationDegrees), 90.0);
+  return sky;
+}
+
 LightSource sourceAt(const LightDescription& light, const LightKey& key) {
   return key.source ? LightSource{*key.source, key.layout}
                     : LightSource{light.source, light.layout};
@@ -69,14 +86,18 @@ glm::dmat4 motionMatrix(const MotionDescription& motion, const glm::dvec3& pivot
 
 LightState lightAt(const LightDescription& light, double seconds) {
   const LightSource own{light.source, light.layout};
-  if (!light.motion) return {own, own, 0, light.rotateDegrees, light.scale};
+  if (!light.motion)
+    return {own, own, 0, light.rotateDegrees, light.scale, light.sky.value_or(SkySettings{})};
   const std::vector<LightKey>& keys = light.motion->keys;
   const KeyPlace place = keyPlace(keys, light.motion->repeat, seconds);
   const LightKey& from = keys[place.from];
   const LightKey& to = keys[place.to];
-  return {sourceAt(light, from), sourceAt(light, to), place.fraction,
+  return {sourceAt(light, from),
+          sourceAt(light, to),
+          place.fraction,
           light.rotateDegrees + place.between(from.rotateDegrees, to.rotateDegrees),
-          light.scale * place.between(from.scale, to.scale)};
+          light.scale * place.between(from.scale, to.scale),
+          skyBetween(skyAt(light, from), skyAt(light, to), place)};
 }
 
 CameraDescription cameraAtKey(const CameraDescription& camera, const CameraKey& key) {

@@ -68,12 +68,13 @@ struct LightSource {
 };
 
 /// Radiance is `scale` times that of `from` and of `to` in the parts 1 − fraction and fraction,
-/// both rotated by rotateDegrees.
+/// both rotated by rotateDegrees and, where they are skies, with the settings `sky`.
 struct LightState {
   LightSource from, to;
   double fraction = 0;
   double rotateDegrees = 0;
   double scale = 1;
+  SkySettings sky;
 
   bool operator==(const LightState&) const = default;
 };

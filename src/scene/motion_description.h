@@ -94,9 +94,13 @@ struct LightKey {
   std::optional<std::string> source;
   std::string layout = "auto";
   Ease ease = Ease::linear;
+  /// Where the sun of a source that is a sky stands, as in SkySettings but any number of turns;
+  /// nothing: as the light's sky says.
+  std::optional<double> sunAzimuthDegrees, sunElevationDegrees;
 };
 
-/// Between keys of different sources the radiances are cross-faded linearly.
+/// Between keys of different sources the radiances are cross-faded linearly; the sun, one for both,
+/// goes from one place to the other by azimuth and elevation.
 struct LightMotionDescription {
   std::vector<LightKey> keys;
   Repeat repeat = Repeat::hold;

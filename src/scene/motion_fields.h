@@ -61,6 +61,8 @@ void visitFields(Fields& fields, LightKey& key) {
   fields.number("scale", key.scale, radianceRange);
   fields.resource("source", key.source, builtinLightNames());
   fields.word("layout", key.layout, lightLayouts);
+  fields.number("sunAzimuthDegrees", key.sunAzimuthDegrees, turningRange);
+  fields.number("sunElevationDegrees", key.sunElevationDegrees, elevationRange);
   fields.choice("ease", key.ease, easeNames);
 }
 

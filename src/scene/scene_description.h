@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "light/sky_settings.h"
 #include "scene/fit_objective.h"
 #include "scene/motion_description.h"
 #include "visibility/visibility_kind.h"
@@ -83,6 +84,8 @@ struct LightDescription {
   /// Factor on the radiance, >= 0.
   double scale = 1;
   std::optional<LightMotionDescription> motion;
+  /// Where the sun stands and what else a source that is a sky leaves open; nothing: the defaults.
+  std::optional<SkySettings> sky;
 };
 
 /// A pinhole camera.

@@ -44,11 +44,21 @@ void visitFields(Fields& fields, ReceiverDescription& receiver) {
 }
 
 template <typename Fields>
+void visitFields(Fields& fields, SkySettings& sky) {
+  fields.number("sunAzimuthDegrees", sky.sunAzimuthDegrees, angleRange);
+  fields.number("sunElevationDegrees", sky.sunElevationDegrees, elevationRange);
+  fields.numberOrWord("zenithRadiance", sky.zenithRadiance, "auto", radianceRange);
+  fields.number("sunDisc", sky.sunDisc, sunDiscRange);
+  fields.vector("groundAlbedo", sky.groundAlbedo, unitRange);
+}
+
+template <typename Fields>
 void visitFields(Fields& fields, LightDescription& light) {
   fields.resource("source", light.source, builtinLightNames());
   fields.word("layout", light.layout, lightLayouts);
   fields.number("rotateDegrees", light.rotateDegrees, angleRange);
   fields.number("scale", light.scale, radianceRange);
+  fields.object("sky", light.sky);
   fields.object("motion", light.motion);
 }
 

@@ -30,8 +30,17 @@ TEST_CASE("numbers out of range and no numbers are refused") {
        {"--order", "4.5"},         {"--samples", "0"},         {"--samples", "100000"},
        {"--threads", "-1"},        {"--threads", "100000"},    {"--light-rotate", "nan"},
        {"--light-rotate", "1e30"}, {"--light-rotate", "up"},   {"--light-scale", "-1"},
-       {"--light-scale", "nan"},   {"--light-scale", "inf"},   {"--exposure", "nan"},
-       {"--exposure", "1e9"},      {"--exposure", "bright"}});
+       {"--light-scale", "nan"},   {"--light-scale", "inf"},   {"--sun", "0,45"},
+       {"--exposure", "nan"},      {"--exposure", "1e9"},      {"--exposure", "bright"}});
+}
+
+TEST_CASE("suns that stand nowhere are refused") {
+  const Arguments clear{"render", "--light", "builtin:cie-clear", "--spheres", "8"};
+  for (const char* sun : {"0", "0,", ",45", "0,45,3", "east,45", "nan,45", "0,nan", "0,-1", "0,91",
+                          "400,45", "1e999,0", "0;45"})
+    checkAllRefused(clear, {{"--sun", sun}});
+  for (const char* disc : {"-1", "nan", "101", "bright"})
+    checkAllRefused(clear, {{"--sun-disc", disc}});
 }
 
 TEST_CASE("sizes that are none, or that no memory holds, are refused") {

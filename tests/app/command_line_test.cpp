@@ -13,9 +13,9 @@ struct Help {
 };
 
 const std::vector<std::string> sceneOptions{
-    "SCENE",         "--mesh",   "--light",  "--layout", "--light-rotate",
-    "--light-scale", "--method", "--terms",  "--levels", "--visibility",
-    "--engine",      "--device", "--spheres"};
+    "SCENE",         "--mesh",       "--light",    "--layout", "--light-rotate",
+    "--light-scale", "--sun",        "--sun-disc", "--method", "--terms",
+    "--levels",      "--visibility", "--engine",   "--device", "--spheres"};
 const std::vector<std::string> generalOptions{"--json", "--quiet", "--threads", "--help"};
 
 }  // namespace
@@ -29,6 +29,7 @@ TEST_CASE("the help of every command names its options and gives an example") {
       {"fit", {"MESH", "--output", "--spheres", "--seed"}},
       {"prt", {"MESH", "--output", "--order", "--bounces", "--rays", "--albedo", "--seed"}},
       {"info", {"FILE"}},
+      {"skies", {"--output", "--sun", "--sun-disc", "--side"}},
       {"devices", {}}};
   for (const auto& [command, options] : helps) {
     const Outcome help = runHaarlight({command, "--help"});
@@ -49,7 +50,7 @@ TEST_CASE("the help of every command names its options and gives an example") {
 TEST_CASE("the program's help names the commands, and its version is one line") {
   const Outcome help = runHaarlight({"--help"});
   CHECK(help.exitCode == 0);
-  for (const char* command : {"render", "bake", "fit", "prt", "info", "devices"})
+  for (const char* command : {"render", "bake", "fit", "prt", "info", "skies", "devices"})
     CHECK(contains(help.output, std::string("\n  ") + command + " "));
   const Outcome version = runHaarlight({"--version"});
   CHECK(version.exitCode == 0);

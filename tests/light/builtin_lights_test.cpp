@@ -73,8 +73,8 @@ TEST_CASE("the constant light is 1 in every texel") {
   CHECK(light->radiance(glm::vec3(0, -5, 2)) == glm::vec3(1.0f));
 }
 
-TEST_CASE("all built-in lights give a floor an irradiance of about pi") {
-  for (const std::string& name : builtinLightNames()) {
+TEST_CASE("lamps, sky and constant light give a floor an irradiance of about pi") {
+  for (const std::string name : {"builtin:lamps", "builtin:sky", "builtin:constant"}) {
     CAPTURE(name);
     CHECK(floorLuminance(name) == doctest::Approx(pi).epsilon(0.01));
   }
@@ -82,7 +82,7 @@ TEST_CASE("all built-in lights give a floor an irradiance of about pi") {
 
 TEST_CASE("the cube keeps the power of the built-in lights in any rotation") {
   std::mt19937 random(1);
-  for (const std::string& name : builtinLightNames())
+  for (const std::string name : {"builtin:lamps", "builtin:sky", "builtin:constant"})
     for (const glm::mat3& rotation : {glm::mat3(1.0f), randomRotation(random)}) {
       const LightProjection projection = projectToCube(*makeBuiltinLight(name), rotation);
       MESSAGE(name << ": cube power / source power = " << projection.powerRatio);
@@ -115,9 +115,11 @@ TEST_CASE("the sky is smooth where the lamps are sharp") {
 }
 
 TEST_CASE("an unknown built-in light lists those there are") {
-  CHECK(inputErrorOf([] { makeBuiltinLight("builtin:moon"); }) ==
-        "there is no light \"builtin:moon\"; the built-in ones are builtin:lamps, builtin:sky, "
-        "builtin:constant");
+  const std::string error = inputErrorOf([] { makeBuiltinLight("builtin:moon"); });
+  CHECK(error.starts_with(
+      "there is no light \"builtin:moon\"; the built-in ones are builtin:lamps, builtin:sky, "
+      "builtin:constant, builtin:cie-overcast, "));
+  CHECK(error.ends_with(", builtin:iso-sky-15"));
 }
 
 }  // namespace haarlight::test

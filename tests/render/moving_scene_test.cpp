@@ -9,6 +9,7 @@
 
 #include "base/file.h"
 #include "engine/devices.h"
+#include "light/builtin_lights.h"
 #include "render/radiance_method.h"
 #include "render/surface_sample.h"
 #include "scene/scene_file.h"
@@ -213,6 +214,35 @@ TEST_CASE("the change from frame to frame grows with the step") {
   CHECK(twice / thousandth < 2.3);
   CHECK(four / twice > 1.7);
   CHECK(four / twice < 2.3);
+}
+
+TEST_CASE("a sky follows its sun, and a sun without a sky is warned of") {
+  SceneDescription description;
+  description.receiver.emplace();
+  description.light.source = "builtin:cie-clear";
+  LightKey morning, noon;
+  morning.sunElevationDegrees = 10;
+  morning.sunAzimuthDegrees = 0;
+  noon.seconds = 2;
+  noon.sunElevationDegrees = 70;
+  noon.sunAzimuthDegrees = 90;
+  description.light.motion = LightMotionDescription{{morning, noon}, Repeat::hold};
+  MovingScene scene(description);
+  CHECK(scene.moves());
+  CHECK(scene.scene().warnings.empty());
+  CHECK(scene.showLight(1));
+  CHECK_FALSE(scene.showLight(1));
+  SkySettings between;
+  between.sunElevationDegrees = 40;
+  between.sunAzimuthDegrees = 45;
+  const auto sky = makeBuiltinLight("builtin:cie-clear", between);
+  CHECK(scene.scene().light.projection.cube.texels == projectToCube(*sky).cube.texels);
+  CHECK(scene.scene().light.environment->description() == sky->description());
+  description.light.source = "builtin:constant";
+  const MovingScene constant(description);
+  REQUIRE(constant.scene().warnings.size() == 1);
+  CHECK(constant.scene().warnings[0] ==
+        "the scene places a sun, but its light is no sky: builtin:constant");
 }
 
 TEST_CASE("lights cross-fade linearly") {

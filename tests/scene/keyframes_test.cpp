@@ -171,7 +171,7 @@ TEST_CASE("a key without fields leaves the object alone to the bit, a moved one 
 }
 
 TEST_CASE("a light without motion is the same at all times") {
-  const LightDescription light{"probe.hdr", "angular", 30, 2, {}};
+  const LightDescription light{"probe.hdr", "angular", 30, 2, {}, {}};
   const LightState state = lightAt(light, 17);
   CHECK(state.from == LightSource{"probe.hdr", "angular"});
   CHECK(state.to == state.from);
@@ -179,11 +179,31 @@ TEST_CASE("a light without motion is the same at all times") {
   CHECK(state.scale == 2);
 }
 
+TEST_CASE("the sun goes from key to key, and stands where the sky says without one") {
+  LightDescription light;
+  light.source = "builtin:cie-clear";
+  CHECK(lightAt(light, 1).sky == SkySettings{});
+  light.sky = SkySettings{-30, 20, 2.5, 1, glm::dvec3(0.3)};
+  CHECK(lightAt(light, 1).sky == *light.sky);
+  LightKey rise, noon, set;
+  rise.sunAzimuthDegrees = 350;
+  rise.sunElevationDegrees = 0;
+  noon.seconds = 2;
+  noon.sunAzimuthDegrees = 450;
+  noon.sunElevationDegrees = 60;
+  set.seconds = 4;
+  light.motion = LightMotionDescription{{rise, noon, set}, Repeat::hold};
+  CHECK(lightAt(light, 0.5).sky == SkySettings{375, 15, 2.5, 1, glm::dvec3(0.3)});
+  CHECK(lightAt(light, 2).sky == SkySettings{450, 60, 2.5, 1, glm::dvec3(0.3)});
+  CHECK(lightAt(light, 3).sky == SkySettings{210, 40, 2.5, 1, glm::dvec3(0.3)});
+  CHECK(lightAt(light, 9).sky == *light.sky);
+}
+
 TEST_CASE("lights turn, change their scale and cross-fade") {
-  LightDescription light{"probe.hdr", "angular", 30, 2, LightMotionDescription{}};
-  light.motion->keys = {{0, 0, 1, {}, "auto", Ease::linear},
-                        {2, 360, 0.5, "builtin:sky", "auto", Ease::smooth},
-                        {4, -90, 0, "cross.exr", "vcross", Ease::linear}};
+  LightDescription light{"probe.hdr", "angular", 30, 2, LightMotionDescription{}, {}};
+  light.motion->keys = {{0, 0, 1, {}, "auto", Ease::linear, {}, {}},
+                        {2, 360, 0.5, "builtin:sky", "auto", Ease::smooth, {}, {}},
+                        {4, -90, 0, "cross.exr", "vcross", Ease::linear, {}, {}}};
   const LightSource own{"probe.hdr", "angular"}, sky{"builtin:sky", "auto"},
       cross{"cross.exr", "vcross"};
   const LightState first = lightAt(light, 0.5), second = lightAt(light, 2.5);

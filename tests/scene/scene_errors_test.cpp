@@ -46,6 +46,34 @@ TEST_CASE("numbers out of range name their field") {
   CHECK(complaintBesideReceiver(R"("version": 2)") == "scene.json: version: must be 1, is 2");
 }
 
+TEST_CASE("suns that stand nowhere are refused with their place") {
+  const auto aboutSky = [](const std::string& fields) {
+    return complaintBesideReceiver(R"("light": {"source": "builtin:iso-sky-7", "sky": {)" + fields +
+                                   "}}");
+  };
+  CHECK(aboutSky(R"("sunElevationDegrees": 90, "sunDisc": 1, "zenithRadiance": "auto")") == "");
+  CHECK(aboutSky(R"("sunElevationDegrees": -5)") ==
+        "scene.json: light.sky.sunElevationDegrees: must be >= 0, is -5");
+  CHECK(aboutSky(R"("sunElevationDegrees": 91)") ==
+        "scene.json: light.sky.sunElevationDegrees: must be <= 90, is 91");
+  CHECK(aboutSky(R"("sunAzimuthDegrees": 361)") ==
+        "scene.json: light.sky.sunAzimuthDegrees: must be <= 360, is 361");
+  CHECK(aboutSky(R"("sunAzimuthDegrees": "NaN")") ==
+        "scene.json: light.sky.sunAzimuthDegrees: must be a number, is \"NaN\"");
+  CHECK(aboutSky(R"("zenithRadiance": "bright")") ==
+        "scene.json: light.sky.zenithRadiance: must be a number or \"auto\", is \"bright\"");
+  CHECK(aboutSky(R"("groundAlbedo": [0.1, 0.1, 1.1])") ==
+        "scene.json: light.sky.groundAlbedo[2]: must be <= 1, is 1.1");
+  CHECK(aboutSky(R"("sunElevationDegree": 5)") ==
+        "scene.json: light.sky: unknown field 'sunElevationDegree'; did you mean "
+        "'sunElevationDegrees'?");
+  CHECK(complaintBesideReceiver(R"("light": {"motion": {"keys": [
+          {"seconds": 0, "sunElevationDegrees": -1}]}})") ==
+        "scene.json: light.motion.keys[0].sunElevationDegrees: must be >= 0, is -1");
+  CHECK(complaintBesideReceiver(R"("light": {"source": "builtin:iso-sky-16"})")
+            .starts_with("scene.json: light.source: must be a path or one of builtin:lamps, "));
+}
+
 TEST_CASE("fractions are refused where whole numbers are asked for") {
   for (const char* order : {"3", "7"})
     CHECK(complaintBesideReceiver(std::string(R"("shading": {"order": )") + order + "}")

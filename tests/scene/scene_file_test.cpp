@@ -42,6 +42,18 @@ const std::string fullScene = R"({
 
 constexpr const char* smallScene = R"({"receiver": {}})";
 
+/// The examples in JSON that a page of docs shows.
+std::vector<std::string> examplesIn(const char* name) {
+  const std::string page = readFile(std::filesystem::path(HAARLIGHT_SOURCE_FOLDER) / "docs" / name);
+  const std::string opening = "```json\n";
+  std::vector<std::string> examples;
+  for (std::size_t at = page.find(opening); at != std::string::npos; at = page.find(opening, at)) {
+    at += opening.size();
+    examples.push_back(page.substr(at, page.find("```", at) - at));
+  }
+  return examples;
+}
+
 }  // namespace
 
 TEST_CASE("every field of a scene reaches the description") {
@@ -134,6 +146,24 @@ TEST_CASE("a receiver that says nothing has the documented defaults") {
   CHECK(scene.receiver->albedo == glm::dvec3(0.5));
 }
 
+TEST_CASE("a sky is read, written and read again") {
+  const SceneDescription scene = parseScene(R"({"receiver": {}, "light": {
+      "source": "builtin:cie-clear",
+      "sky": {"sunAzimuthDegrees": -120, "sunElevationDegrees": 7.5, "zenithRadiance": 3,
+              "sunDisc": 0.5, "groundAlbedo": [0.1, 0.2, 0.3]},
+      "motion": {"keys": [{"seconds": 1, "sunAzimuthDegrees": 720}]}}})",
+                                            "x.json");
+  const SkySettings expected{-120, 7.5, 3.0, 0.5, {0.1, 0.2, 0.3}};
+  CHECK(scene.light.source == "builtin:cie-clear");
+  CHECK(scene.light.sky == expected);
+  CHECK(scene.light.motion->keys[0].sunAzimuthDegrees == 720);
+  CHECK_FALSE(scene.light.motion->keys[0].sunElevationDegrees);
+  const SceneDescription again = parseScene(sceneToJson(scene), "x.json");
+  CHECK(again.light.sky == expected);
+  CHECK(sceneToJson(again) == sceneToJson(scene));
+  CHECK_FALSE(parseScene(R"({"receiver": {}})", "x.json").light.sky);
+}
+
 TEST_CASE("a scene that is written and read again is the same") {
   const std::string once = sceneToJson(parseScene(fullScene, "full.json"));
   CHECK(sceneToJson(parseScene(once, "again.json")) == once);
@@ -190,16 +220,18 @@ TEST_CASE("the smooth scene is the default scene under another light") {
 }
 
 TEST_CASE("the examples in docs/scene.md are scenes, the first is the default one") {
-  const std::filesystem::path source = HAARLIGHT_SOURCE_FOLDER;
-  const std::string page = readFile(source / "docs/scene.md");
-  const std::string opening = "```json\n";
-  std::vector<std::string> examples;
-  for (std::size_t at = page.find(opening); at != std::string::npos; at = page.find(opening, at)) {
-    at += opening.size();
-    examples.push_back(page.substr(at, page.find("```", at) - at));
-  }
+  const std::vector<std::string> examples = examplesIn("scene.md");
   REQUIRE(examples.size() == 3);
-  CHECK(examples[0] == readFile(source / "assets/default.json"));
+  CHECK(examples[0] ==
+        readFile(std::filesystem::path(HAARLIGHT_SOURCE_FOLDER) / "assets/default.json"));
   CHECK(parseScene(examples[1], "x.json").objects.size() == 2);
   CHECK(parseScene(examples[2], "x.json").objects.size() == 2);
+}
+
+TEST_CASE("the example in docs/skies.md is a scene under a sky") {
+  const std::vector<std::string> examples = examplesIn("skies.md");
+  REQUIRE(examples.size() == 1);
+  const SceneDescription scene = parseScene(examples[0], "x.json");
+  CHECK(scene.light.source == "builtin:iso-sky-12");
+  CHECK(scene.light.motion->keys.size() == 3);
 }

@@ -41,6 +41,9 @@ Json wholeDocument() {
   scene.receiver.emplace();
   scene.light.motion.emplace().keys.resize(1);
   scene.light.motion->keys[0].source = "sky.hdr";
+  scene.light.motion->keys[0].sunAzimuthDegrees = 400;
+  scene.light.motion->keys[0].sunElevationDegrees = 30;
+  scene.light.sky.emplace().zenithRadiance = 2;
   scene.camera.position = {3, 2, 7};
   scene.camera.target = {-1, 0.5, 0.25};
   scene.camera.up = {0.2, 1, -0.1};

@@ -5,6 +5,7 @@
 #include "engine/cuda/cuda_engine.h"
 #include "engine/cuda/cuda_kernels.h"
 #include "engine/shading_tables.h"
+#include "engine/shape_choice.h"
 
 namespace haarlight {
 
@@ -115,8 +116,8 @@ class CudaDevice final : public KernelDevice {
 }  // namespace
 
 std::unique_ptr<KernelDevice> openCudaDevice(const EngineOptions& options) {
-  const KernelShape shape = cudaKernelShape(options);
-  return std::make_unique<CudaDevice>(chooseCudaDevice(options.device), shape);
+  const DeviceDescription device = chooseCudaDevice(options.device);
+  return std::make_unique<CudaDevice>(device, chooseShape(options, device).shape);
 }
 
 }  // namespace haarlight

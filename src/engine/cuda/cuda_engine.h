@@ -19,10 +19,4 @@ std::vector<DeviceDescription> listCudaHostDevices();
 
 std::unique_ptr<KernelDevice> openCudaHostDevice(const EngineOptions& options);
 
-/// Samples of a block where the options leave it open: 4 warps.
-inline constexpr int cudaSamplesPerGroup = 4;
-
-/// One lane a thread. Throws InputError for options that CUDA kernels do not offer.
-KernelShape cudaKernelShape(const EngineOptions& options);
-
 }  // namespace haarlight

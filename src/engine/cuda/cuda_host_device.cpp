@@ -1,13 +1,13 @@
 #include <chrono>
 #include <cstring>
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "engine/cuda/cuda_engine.h"
 #include "engine/cuda/cuda_host_kernels.h"
 #include "engine/cuda/host_emulation.h"
 #include "engine/device_selection.h"
 #include "engine/shading_tables.h"
+#include "engine/shape_choice.h"
 
 namespace haarlight {
 
@@ -74,15 +74,6 @@ class CudaHostDevice final : public KernelDevice {
 
 }  // namespace
 
-KernelShape cudaKernelShape(const EngineOptions& options) {
-  if (options.lanesPerItem > 1) throw InputError("CUDA kernels have one lane a thread");
-  const int samples = options.samplesPerGroup ? options.samplesPerGroup : cudaSamplesPerGroup;
-  if (samples < 1 || samples > maximumSamplesPerGroup)
-    throw InputError("CUDA kernels take 1 to " + std::to_string(maximumSamplesPerGroup) +
-                     " samples a block, not " + std::to_string(samples));
-  return {1, samples};
-}
-
 std::vector<DeviceDescription> listCudaHostDevices() {
   DeviceDescription host;
   host.engine = "cuda-host";
@@ -96,7 +87,8 @@ std::vector<DeviceDescription> listCudaHostDevices() {
 
 std::unique_ptr<KernelDevice> openCudaHostDevice(const EngineOptions& options) {
   chooseDevice("cuda-host", {{deviceName, false, {}}}, options.device);
-  return std::make_unique<CudaHostDevice>(cudaKernelShape(options));
+  const ShapeChoice choice = chooseShape(options, listCudaHostDevices().front());
+  return std::make_unique<CudaHostDevice>(choice.shape);
 }
 
 }  // namespace haarlight

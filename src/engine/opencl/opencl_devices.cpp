@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "engine/device_selection.h"
-#include "engine/devices.h"
 
 namespace haarlight {
 
@@ -43,9 +42,10 @@ std::string numericLimitationOf(const cl::Device& device) {
   return {};
 }
 
-OpenClDevice describe(const cl::Platform& platform, const cl::Device& device) {
+OpenClDevice foundDevice(const cl::Platform& platform, const cl::Device& device, int index) {
   OpenClDevice found;
   found.device = device;
+  found.index = index;
   found.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
   found.platform = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
   found.isCpu = device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU;
@@ -71,7 +71,8 @@ std::vector<OpenClDevice> findOpenClDevices() {
     } catch (const cl::Error&) {  // a platform without devices
       continue;
     }
-    for (const cl::Device& device : devices) found.push_back(describe(platform, device));
+    for (const cl::Device& device : devices)
+      found.push_back(foundDevice(platform, device, int(found.size())));
   }
   return found;
 }
@@ -90,24 +91,26 @@ std::string openClAdvice() {
          "pocl-opencl-icd` to run on the CPU";
 }
 
+DeviceDescription describe(const OpenClDevice& found) {
+  DeviceDescription description;
+  description.engine = "opencl";
+  description.index = found.index;
+  description.name = found.name;
+  description.platform = found.platform;
+  description.version = trimmed(found.device.getInfo<CL_DEVICE_VERSION>());
+  description.driver = trimmed(found.device.getInfo<CL_DRIVER_VERSION>());
+  description.computeUnits = int(found.device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
+  description.globalMemory = found.device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+  description.localMemory = found.device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
+  description.isCpu = found.isCpu;
+  description.numericLimitation = found.numericLimitation;
+  description.problem = found.problem;
+  return description;
+}
+
 std::vector<DeviceDescription> listOpenClDevices() {
   std::vector<DeviceDescription> list;
-  for (const OpenClDevice& found : findOpenClDevices()) {
-    DeviceDescription entry;
-    entry.engine = "opencl";
-    entry.index = int(list.size());
-    entry.name = found.name;
-    entry.platform = found.platform;
-    entry.version = trimmed(found.device.getInfo<CL_DEVICE_VERSION>());
-    entry.driver = trimmed(found.device.getInfo<CL_DRIVER_VERSION>());
-    entry.computeUnits = int(found.device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
-    entry.globalMemory = found.device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
-    entry.localMemory = found.device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
-    entry.isCpu = found.isCpu;
-    entry.numericLimitation = found.numericLimitation;
-    entry.problem = found.problem;
-    list.push_back(entry);
-  }
+  for (const OpenClDevice& found : findOpenClDevices()) list.push_back(describe(found));
   return list;
 }
 

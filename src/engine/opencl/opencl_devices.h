@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/devices.h"
 #include "engine/opencl/opencl_api.h"
 
 namespace haarlight {
@@ -10,6 +11,8 @@ namespace haarlight {
 /// An OpenCL device as found, with the platform it belongs to.
 struct OpenClDevice {
   cl::Device device;
+  /// Place in findOpenClDevices().
+  int index = 0;
   std::string name;
   std::string platform;
   bool isCpu = false;
@@ -27,5 +30,8 @@ std::vector<OpenClDevice> findOpenClDevices();
 /// (case does not matter), or empty for the first usable one, GPUs first. Throws InputError in
 /// words when there is none.
 OpenClDevice chooseOpenClDevice(const std::string& selector);
+
+/// The same in the words of all engines.
+DeviceDescription describe(const OpenClDevice& device);
 
 }  // namespace haarlight

@@ -2,11 +2,11 @@
 #include <map>
 #include <stdexcept>
 
-#include "base/error.h"
 #include "engine/opencl/opencl_devices.h"
 #include "engine/opencl/opencl_engine.h"
 #include "engine/opencl/opencl_program.h"
 #include "engine/shading_tables.h"
+#include "engine/shape_choice.h"
 
 namespace haarlight {
 
@@ -17,8 +17,6 @@ namespace {
 constexpr std::size_t cpuBatch = 2048, gpuBatch = 32768;
 /// 18 MiB, which a CPU's caches hold; on GPUs all lobes, 125 MiB.
 constexpr std::size_t cpuLobeWindow = 256, gpuLobeWindow = lobeCount;
-/// In the shape for GPUs 4 samples are 128 work-items: two or four waves.
-constexpr int cpuSamplesPerGroup = 1, gpuSamplesPerGroup = 4;
 
 struct OpenClBuffer final : DeviceBuffer {
   cl::Buffer memory;
@@ -129,27 +127,13 @@ class OpenClKernelDevice final : public KernelDevice {
   OpenClProgram program_;
 };
 
-KernelShape shapeFor(const EngineOptions& options, bool isCpu) {
-  KernelShape shape;
-  shape.lanesPerItem = options.lanesPerItem ? options.lanesPerItem : isCpu ? partialSums : 1;
-  shape.samplesPerGroup = options.samplesPerGroup   ? options.samplesPerGroup
-                          : shape.lanesPerItem == 1 ? gpuSamplesPerGroup
-                                                    : cpuSamplesPerGroup;
-  if (shape.lanesPerItem != 1 && shape.lanesPerItem != partialSums)
-    throw InputError("OpenCL kernels take 1 or 32 lanes an item, not " +
-                     std::to_string(shape.lanesPerItem));
-  if (shape.samplesPerGroup < 1 || shape.samplesPerGroup > maximumSamplesPerGroup)
-    throw InputError("OpenCL kernels take 1 to " + std::to_string(maximumSamplesPerGroup) +
-                     " samples a group, not " + std::to_string(shape.samplesPerGroup));
-  return shape;
-}
-
 }  // namespace
 
 std::unique_ptr<KernelDevice> openOpenClDevice(const EngineOptions& options) {
   return inWords([&]() -> std::unique_ptr<KernelDevice> {
     const OpenClDevice device = chooseOpenClDevice(options.device);
-    return std::make_unique<OpenClKernelDevice>(device, shapeFor(options, device.isCpu));
+    return std::make_unique<OpenClKernelDevice>(device,
+                                                chooseShape(options, describe(device)).shape);
   });
 }
 
