@@ -22,6 +22,15 @@ float brightest(const ShadingTables& tables) {
   return maximum;
 }
 
+float brightest(const ExponentiationTables& tables) {
+  constexpr float sphereRoot = 3.5449077f;  // √4π: without shadow V is this and zeros
+  float maximum = 0;
+  for (std::size_t slot = 0; slot < tables.slotCount(); ++slot)
+    for (int channel = 0; channel < 3; ++channel)
+      maximum = std::max(maximum, sphereRoot * tables.lightLobe(slot, channel)[0]);
+  return maximum;
+}
+
 }  // namespace
 
 SubjectComparison::SubjectComparison(Subject subject, const std::optional<Injection>& injection)
@@ -78,6 +87,8 @@ void SubjectComparison::compare(const Question& question, const Answers& answers
     compareFused(value, question.tables[i], answers.radiance[i]);
   }
   compareFrame(value, question.tables[question.frameTables], answers);
+  for (std::size_t i = 0; i < question.exponentiation.size(); ++i)
+    compareExponentiation(value, question.exponentiation[i], answers.exponentiation[i]);
 }
 
 void SubjectComparison::compareMovedSpheres(const Case& value, const Answers& answers) {
@@ -131,6 +142,17 @@ void SubjectComparison::compareFrame(const Case& value, const ShadingTables& tab
   const auto radiance =
       timed(frame, [&] { return engine_->shade(value.spheres, value.receivers); });
   frame.compareRadiance(value, answers.frame, radiance, brightest(tables));
+}
+
+void SubjectComparison::compareExponentiation(const Case& value, const ExponentiationTables& tables,
+                                              std::span<const glm::vec4> expected) {
+  Tally& exponentiation =
+      tallyOf(Stage::exponentiation, "order " + std::to_string(tables.visibility.order));
+  engine_->setExponentiation(tables);
+  const auto radiance = timed(exponentiation, [&] {
+    return engine_->shadeByExponentiation(value.spheres, value.receivers);
+  });
+  exponentiation.compareRadiance(value, expected, radiance, brightest(tables));
 }
 
 std::vector<Row> SubjectComparison::rows() const {

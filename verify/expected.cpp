@@ -29,8 +29,11 @@ void place(std::vector<Element>& whole, std::size_t first, const std::vector<Ele
 
 }  // namespace
 
-Question::Question(Case caseToAsk, std::span<const Setting> settings)
+Question::Question(Case caseToAsk, std::span<const Setting> settings, std::span<const int> orders)
     : value(std::move(caseToAsk)) {
+  const auto importance = countLobes(value.receivers.lobes);
+  for (const int order : orders)
+    exponentiation.push_back(buildExponentiationTables(value.light, order, importance));
   for (const Setting& setting : settings) tables.push_back(tablesFor(value, setting));
   frameTables = value.spheres.size() % tables.size();
 }
@@ -40,6 +43,11 @@ std::span<const Setting> settingsFor(const Case& value, std::size_t index, bool 
   if (asksAll) return allSettings;
   constexpr std::size_t levels = 2;
   return std::span(allSettings).subspan(index * levels % allSettings.size(), levels);
+}
+
+std::span<const int> ordersFor(const Case& value, std::size_t index, bool asksAll) {
+  if (asksAll && value.receivers.size() <= mostReceiversForAllSettings) return allOrders;
+  return std::span(allOrders).subspan(index % allOrders.size(), 1);
 }
 
 Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereTable> table) {
@@ -52,6 +60,7 @@ Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereT
   answers.occlusion.resize(count);
   answers.radiance.assign(question.tables.size(), std::vector<glm::vec4>(count));
   answers.frame.resize(count);
+  answers.exponentiation.assign(question.exponentiation.size(), std::vector<glm::vec4>(count));
   parallelFor(count, receiversPerTask, [&](std::size_t begin, std::size_t end) {
     const auto reference = makeReferenceEngine(table);
     const ReceiverSpan part = ReceiverSpan(receivers).part(begin, end - begin);
@@ -68,6 +77,10 @@ Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereT
     }
     reference->setShading(question.tables[question.frameTables]);
     place(answers.frame, begin, reference->shade(spheres, part));
+    for (std::size_t i = 0; i < question.exponentiation.size(); ++i) {
+      reference->setExponentiation(question.exponentiation[i]);
+      place(answers.exponentiation[i], begin, reference->shadeByExponentiation(spheres, part));
+    }
   });
   return answers;
 }

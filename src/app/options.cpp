@@ -86,6 +86,7 @@ void applyShading(const SceneOptions& options, ShadingDescription& shading) {
     shading.visibility = choiceOf(visibilityKindNames, options.visibility);
   if (options.terms) shading.terms = *options.terms;
   if (options.levels) shading.levels = *options.levels;
+  if (options.order) shading.order = *options.order;
 }
 
 /// Why `auto` came down to the slowest engine.
@@ -150,7 +151,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
        "Of that fit: least error of the shadow, or cover (every point in a sphere) [shadow]",
        "Scene")
       ->check(CLI::IsMember(namesOf(fitObjectiveNames)));
-  text("--method", options.method, "haar, pixel (all texels) or pixel-mesh (rays) [haar]",
+  text("--method", options.method,
+       "haar, shexp (spherical harmonics), pixel (all texels) or pixel-mesh (rays) [haar]",
        "Computation")
       ->check(CLI::IsMember(namesOf(shadingMethodNames)));
   command.add_option("--terms", options.terms, "Light wavelets kept, 0 to 6144 [200]")
@@ -159,6 +161,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("--levels", options.levels, "Levels of visibility, 1 or 2 [2]")
       ->group("Computation")
       ->check(CLI::Range(1, 2));
+  command.add_option("--order", options.order, "Bands of spherical harmonics of shexp, 4 to 6 [4]")
+      ->group("Computation")
+      ->check(CLI::Range(4, 6));
   text("--visibility", options.visibility,
        "Of spheres, for haar and pixel: exact, or the paper's table (faster) [exact]",
        "Computation")

@@ -16,6 +16,11 @@ std::size_t sphereCount(const Scene& scene) {
   return count;
 }
 
+/// Whether the spheres' visibility is found as the scene's `visibility` says.
+bool usesVisibilityKind(const RadianceMethod& method) {
+  return method.name() == "haar" || method.name() == "pixel";
+}
+
 }  // namespace
 
 ShadingSetup::ShadingSetup(const SceneOptions& options, SceneDescription description,
@@ -41,6 +46,8 @@ std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
     engine_ = openEngine(options_, description_, table_, console_);
     engine_->setSphereBinding(moving_.binding());
   }
+  if (which == ShadingMethod::Shexp)
+    return makeShexpMethod(scene(), engine_, description_.shading.order, typicalSamples, anyNormal);
   ShadingSettings settings;
   settings.terms = description_.shading.terms;
   settings.levels = description_.shading.levels;
@@ -66,7 +73,8 @@ nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const
     summary["terms"] = description_.shading.terms;
     summary["levels"] = description_.shading.levels;
   }
-  if (method.name() != "pixel-mesh")
+  if (method.name() == "shexp") summary["order"] = description_.shading.order;
+  if (usesVisibilityKind(method))
     summary["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
   summary["spheres"] = sphereCount(scene());
   summary["light"] = description_.light.source;
@@ -80,12 +88,13 @@ ImageAttributes ShadingSetup::attributes(const RadianceMethod& method) const {
                              {"device", method.deviceName()},
                              {"spheres", int(sphereCount(scene()))},
                              {"light", description_.light.source}};
-  if (method.name() != "pixel-mesh")
+  if (usesVisibilityKind(method))
     attributes["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
   if (method.name() == "haar") {
     attributes["terms"] = description_.shading.terms;
     attributes["levels"] = description_.shading.levels;
   }
+  if (method.name() == "shexp") attributes["order"] = description_.shading.order;
   return attributes;
 }
 

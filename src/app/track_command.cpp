@@ -36,7 +36,8 @@ SceneDescription describe(const TrackOptions& options) {
   if (options.compareTo.empty()) return scene;
   if (!scene.receiver) throw InputError("--compare-to needs a receiver plane in the scene");
   if (scene.shading.method == ShadingMethod::PixelMesh)
-    throw InputError("--compare-to compares the method haar or pixel, not pixel-mesh with itself");
+    throw InputError(
+        "--compare-to compares the method haar, pixel or shexp, not pixel-mesh with itself");
   return scene;
 }
 
@@ -46,9 +47,11 @@ MethodMaker methodMaker(const TrackOptions& options, const SceneDescription& sce
   return [&](const Scene& loaded, std::span<const SurfaceSample> samples) {
     const auto table = openSphereTable(scene, console);
     if (scene.shading.method == ShadingMethod::Pixel) return makePixelMethod(loaded, table);
+    const auto engine = openEngine(options.scene, scene, table, console);
+    if (scene.shading.method == ShadingMethod::Shexp)
+      return makeShexpMethod(loaded, engine, scene.shading.order, samples, false);
     const ShadingSettings settings{.terms = scene.shading.terms, .levels = scene.shading.levels};
-    return makeHaarMethod(loaded, openEngine(options.scene, scene, table, console), settings,
-                          samples, false);
+    return makeHaarMethod(loaded, engine, settings, samples, false);
   };
 }
 

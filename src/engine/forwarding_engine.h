@@ -44,6 +44,13 @@ class ForwardingEngine : public Engine {
                                StageTimes* times) override {
     return engine_->shade(spheres, receivers, times);
   }
+  void setExponentiation(const ExponentiationTables& tables) override {
+    engine_->setExponentiation(tables);
+  }
+  std::vector<glm::vec4> shadeByExponentiation(std::span<const Sphere> spheres,
+                                               ReceiverSpan receivers, StageTimes* times) override {
+    return engine_->shadeByExponentiation(spheres, receivers, times);
+  }
 
  protected:
   std::unique_ptr<Engine> engine_;

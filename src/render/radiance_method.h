@@ -16,7 +16,7 @@ class RadianceMethod {
  public:
   virtual ~RadianceMethod() = default;
 
-  /// "haar", "pixel", "pixel-mesh" or "pixel-rays".
+  /// "haar", "shexp", "pixel", "pixel-mesh" or "pixel-rays".
   virtual std::string name() const = 0;
   /// What computes it, in words.
   virtual std::string deviceName() const = 0;
@@ -28,7 +28,8 @@ class RadianceMethod {
   /// Radiance (albedo included) of every sample.
   virtual std::vector<glm::vec3> radiance(std::span<const SurfaceSample> samples) = 0;
 
-  /// Seconds of all calls so far; only `haar` knows its stages, the others their total.
+  /// Seconds of all calls so far; only `haar` and `shexp` know their stages, the others their
+  /// total.
   const StageTimes& times() const { return times_; }
 
  protected:
@@ -43,6 +44,13 @@ std::unique_ptr<RadianceMethod> makeHaarMethod(const Scene& scene, std::shared_p
                                                const ShadingSettings& settings,
                                                std::span<const SurfaceSample> typicalSamples,
                                                bool anyNormal);
+
+/// Spherical-harmonic exponentiation on an engine: the spheres' visibility as one function of
+/// `order` bands (engine/exponentiation_tables.h). The rest is as for makeHaarMethod.
+std::unique_ptr<RadianceMethod> makeShexpMethod(const Scene& scene, std::shared_ptr<Engine> engine,
+                                                int order,
+                                                std::span<const SurfaceSample> typicalSamples,
+                                                bool anyNormal);
 
 /// The exact sum over the 6144 texels, blocked by the spheres as the table has them or, without
 /// one, exactly; in double on all threads.

@@ -116,7 +116,7 @@ struct ImageDescription {
 
 /// Haar: triple products of wavelet coefficients. Pixel: sum over the texels of the cube, blocked
 /// by the spheres. PixelMesh: the same, blocked by the meshes (the reference image).
-enum class ShadingMethod { Haar, Pixel, PixelMesh };
+enum class ShadingMethod { Haar, Pixel, PixelMesh, Shexp };
 
 /// Which engine computes. Auto: OpenCL when there is a device, else the reference engine.
 enum class EngineChoice { Auto, Reference, OpenCl, Cuda, CudaHost };
@@ -128,6 +128,8 @@ struct ShadingDescription {
   int terms = 200;
   /// 1: visibility coefficients down to squares of 4x4 texels; 2: down to the texel.
   int levels = 2;
+  /// Bands of spherical harmonics that the method shexp has visibility in.
+  int order = 4;
   /// How the spheres' visibility is found, for the methods haar and pixel.
   VisibilityKind visibility = VisibilityKind::exact;
   EngineChoice engine = EngineChoice::Auto;

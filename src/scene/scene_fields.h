@@ -85,6 +85,7 @@ void visitFields(Fields& fields, ShadingDescription& shading) {
   fields.choice("method", shading.method, shadingMethodNames);
   fields.integer("terms", shading.terms, Range{0, 6144});
   fields.integer("levels", shading.levels, Range{1, 2});
+  fields.integer("order", shading.order, Range{4, 6});
   fields.choice("visibility", shading.visibility, visibilityKindNames);
   fields.choice("engine", shading.engine, engineChoiceNames);
 }

@@ -27,6 +27,17 @@ void checkMovedSpheres(Engine& engine) {
   CHECK(std::memcmp(moved.data(), expected.data(), expected.size() * sizeof expected[0]) == 0);
 }
 
+void checkExponentiation(Engine& engine, const TestScene& scene) {
+  const auto tables = buildExponentiationTables(scene.light, 5, countLobes(scene.receivers.lobes));
+  const auto reference = referenceEngine();
+  reference->setExponentiation(tables);
+  engine.setExponentiation(tables);
+  const auto expected = reference->shadeByExponentiation(scene.spheres, scene.receivers);
+  const auto radiance = engine.shadeByExponentiation(scene.spheres, scene.receivers);
+  REQUIRE(radiance.size() == expected.size());
+  CHECK(std::memcmp(radiance.data(), expected.data(), expected.size() * sizeof expected[0]) == 0);
+}
+
 void checkEveryKernel(VisibilityKind visibility, const KernelShape& shape) {
   EngineOptions options;
   options.engine = "opencl";
@@ -48,6 +59,7 @@ void checkEveryKernel(VisibilityKind visibility, const KernelShape& shape) {
     const auto radiance = engine->shade(scene.spheres, scene.receivers);
     CHECK(std::memcmp(radiance.data(), expected.data(), expected.size() * sizeof expected[0]) == 0);
   }
+  if (visibility == VisibilityKind::exact) checkExponentiation(*engine, scene);  // has no table
 }
 
 void checkEveryKernel(std::initializer_list<KernelShape> shapes) {

@@ -36,7 +36,7 @@ const std::string fullScene = R"({
   "image": {
     "width": 320, "height": 200, "samplesPerPixel": 16, "exposure": -1.5, "background": [0, 0.5, 2]
   },
-  "shading": { "method": "pixel-mesh", "terms": 6144, "levels": 1,
+  "shading": { "method": "pixel-mesh", "terms": 6144, "levels": 1, "order": 6,
                "visibility": "table", "engine": "reference" }
 })";
 
@@ -97,6 +97,7 @@ TEST_CASE("every field of a scene reaches the description") {
   CHECK(scene.shading.method == ShadingMethod::PixelMesh);
   CHECK(scene.shading.terms == 6144);
   CHECK(scene.shading.levels == 1);
+  CHECK(scene.shading.order == 6);
   CHECK(scene.shading.visibility == VisibilityKind::table);
   CHECK(scene.shading.engine == EngineChoice::Reference);
 }
@@ -131,6 +132,7 @@ TEST_CASE("fields that are absent have the documented defaults") {
   CHECK(scene.shading.method == ShadingMethod::Haar);
   CHECK(scene.shading.terms == 200);
   CHECK(scene.shading.levels == 2);
+  CHECK(scene.shading.order == 4);
   CHECK(scene.shading.visibility == VisibilityKind::exact);
   CHECK(scene.shading.engine == EngineChoice::Auto);
 }
