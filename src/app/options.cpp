@@ -143,6 +143,15 @@ void addSceneContentOptions(CLI::App& command, SceneOptions& options) {
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addSceneContentOptions(command, options);
+  addShadingOptions(command, options);
+  const TextOptions text{command};
+  text("--method", options.method,
+       "haar, shexp (spherical harmonics), pixel (all texels) or pixel-mesh (rays) [haar]",
+       "Computation")
+      ->check(CLI::IsMember(namesOf(shadingMethodNames)));
+}
+
+void addShadingOptions(CLI::App& command, SceneOptions& options) {
   const TextOptions text{command};
   command.add_option("--spheres", options.spheres, "Spheres fitted to each object [64]")
       ->group("Scene")
@@ -151,10 +160,6 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
        "Of that fit: least error of the shadow, or cover (every point in a sphere) [shadow]",
        "Scene")
       ->check(CLI::IsMember(namesOf(fitObjectiveNames)));
-  text("--method", options.method,
-       "haar, shexp (spherical harmonics), pixel (all texels) or pixel-mesh (rays) [haar]",
-       "Computation")
-      ->check(CLI::IsMember(namesOf(shadingMethodNames)));
   command.add_option("--terms", options.terms, "Light wavelets kept, 0 to 6144 [200]")
       ->group("Computation")
       ->check(CLI::Range(0, maximumTerms));

@@ -51,6 +51,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options);
 /// Those of them that say what is in the scene, but for its spheres.
 void addSceneContentOptions(CLI::App& command, SceneOptions& options);
 
+/// Those that say how it is shaded, but for the method.
+void addShadingOptions(CLI::App& command, SceneOptions& options);
+
 /// The scene that the options ask for; without a scene and a mesh the built-in default. Throws
 /// InputError.
 SceneDescription describeScene(const SceneOptions& options);
