@@ -10,19 +10,6 @@
               (table)[(index).s4], (table)[(index).s5], (table)[(index).s6], (table)[(index).s7], \
               (table)[(index).s8], (table)[(index).s9], (table)[(index).sa], (table)[(index).sb], \
               (table)[(index).sc], (table)[(index).sd], (table)[(index).se], (table)[(index).sf])
-
-// Takes eight vectors for one row of elements and moves those at odd places behind the others. Three
-// times, this turns sixteen rows of eight elements into eight of sixteen; four times, back.
-inline void moveOddBehind(LaneFloat* eight) {
-  LaneFloat moved[8];
-#pragma unroll
-  for (uint i = 0; i < 4; ++i) {
-    moved[i] = (LaneFloat)(eight[2 * i].even, eight[2 * i + 1].even);
-    moved[4 + i] = (LaneFloat)(eight[2 * i].odd, eight[2 * i + 1].odd);
-  }
-#pragma unroll
-  for (uint i = 0; i < 8; ++i) eight[i] = moved[i];
-}
 #endif
 
 inline LaneFloat smaller(LaneFloat a, LaneFloat b) { return select(a, b, b < a); }

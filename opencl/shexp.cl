@@ -113,7 +113,7 @@ inline void shadeTileByExponentiation(const ShexpTables* tables, const Tile* til
   shadeLowOrder(&blend, lightLobes, visibility, room, radiance);
 }
 #else
-// Visibility of a tile: of every eight coefficients, one sample's after the other's.
+// Visibility of a tile, a coefficient of all samples after the other.
 #define SHEXP_ROOM (LIGHT_LOBE_ROW * TILE)
 
 inline LaneFloat addSquareTerm(ShexpSquareTerm term, const LaneFloat* g, LaneFloat sum) {
@@ -156,8 +156,8 @@ inline void exponentiate(const ShexpTables* tables, uint mostHalvings, LaneFloat
 
 // Coefficients 16 k to 16 k + 15 of a sample.
 inline LaneFloat loadSixteen(__local const float* visibility, uint sample, uint k) {
-  __local const float8* eights = (__local const float8*)visibility + 2 * TILE * k + sample;
-  return (LaneFloat)(eights[0], eights[TILE]);
+  const int16 places = LANE_NUMBERS(0) * TILE + (int)(16 * k * TILE + sample);
+  return OF_TABLE(visibility, places);
 }
 
 inline LaneFloat blendSixteen(const Blend* blend, __global const float* lightLobes) {
@@ -207,10 +207,7 @@ inline void shadeTileByExponentiation(const ShexpTables* tables, const Tile* til
   exponentiate(tables, mostHalvings, f);
   for (uint k = (uint)(tables->order * tables->order); k < LIGHT_LOBE_ROW; ++k)
     f[k] = (LaneFloat)(0.0f);
-  for (uint eight = 0; eight < LIGHT_LOBE_ROW; eight += 8) {
-    for (uint step = 0; step < 4; ++step) moveOddBehind(f + eight);
-    for (uint i = eight; i < eight + 8; ++i) ((__local LaneFloat*)room)[i] = f[i];
-  }
+  for (uint k = 0; k < LIGHT_LOBE_ROW; ++k) ((__local LaneFloat*)room)[k] = f[k];
   for (uint i = 0; i < TILE; ++i) {
     const Blend blend = blendOf(receivers[FIRST_OF_TILE + i], lobesPerReceiver, lobeSlots);
     radiance[FIRST_OF_TILE + i] = shadeLowOrder(&blend, lightLobes, room, i);

@@ -84,22 +84,23 @@ inline float8 factorsOfSample(const ShexpTables* tables, int row, float fraction
   return fma((float8)(fraction), own[1], own[0]);
 }
 
-// Two samples' bands are found at a time, then turned to have all samples of a band in a vector.
+// A sample's factors lie beside each other in the table, and are found at once.
 inline void logarithmFactors(const ShexpTables* tables, LaneFloat cosine, LaneFloat* factors) {
   const TablePlace place = placeInTable(cosine * (float)LOGARITHM_ROWS, LOGARITHM_ROWS);
   int rows[TILE] __attribute__((aligned(64)));
   float fractions[TILE] __attribute__((aligned(64)));
   *(LaneInt*)rows = place.row;
   *(LaneFloat*)fractions = place.fraction;
-  LaneFloat turned[8];
+  float bySample[8 * TILE] __attribute__((aligned(64)));
 #pragma unroll
-  for (uint i = 0; i < 8; ++i)
-    turned[i] = (LaneFloat)(factorsOfSample(tables, rows[2 * i], fractions[2 * i]),
-                            factorsOfSample(tables, rows[2 * i + 1], fractions[2 * i + 1]));
+  for (uint i = 0; i < TILE; ++i)
+    ((float8*)bySample)[i] = factorsOfSample(tables, rows[i], fractions[i]);
+  const LaneInt places = 8 * LANE_NUMBERS(0);
 #pragma unroll
-  for (uint step = 0; step < 3; ++step) moveOddBehind(turned);
-#pragma unroll
-  for (int l = 0; l < SHEXP_BANDS; ++l) factors[l] = turned[l];
+  for (int l = 0; l < SHEXP_BANDS; ++l) {
+    if (l >= tables->order) break;
+    factors[l] = OF_TABLE(bySample + l, places);
+  }
 }
 #endif
 
