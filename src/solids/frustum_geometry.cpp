@@ -16,7 +16,7 @@ double slope(const ConeShape& shape) {
 
 /// Of the cone without caps, through a point near it.
 glm::dvec3 sideNormal(const ConeShape& shape, const glm::dvec3& point) {
-  const double distance = std::hypot(point.x, point.z);
+  const double distance = distanceFromAxis(point);
   if (distance == 0) return {0, std::copysign(1.0, -slope(shape)), 0};  // the apex
   return glm::normalize(glm::dvec3(point.x / distance, -slope(shape), point.z / distance));
 }
@@ -84,11 +84,11 @@ bool containsPoint(const ConeShape& shape, const glm::dvec3& point) {
   const double widest = std::max(shape.radius, shape.topRadius);
   const double radius = (shape.radius + shape.topRadius) / 2 + slope(shape) * point.y;
   return std::abs(point.y) <= (1 + onSurface) * shape.height / 2 &&
-         std::hypot(point.x, point.z) <= radius + onSurface * widest;
+         distanceFromAxis(point) <= radius + onSurface * widest;
 }
 
 glm::dvec3 furthestPoint(const ConeShape& shape, const glm::dvec3& direction) {
-  const double across = std::hypot(direction.x, direction.z);
+  const double across = distanceFromAxis(direction);
   const glm::dvec2 outwards =
       across == 0 ? glm::dvec2(0) : glm::dvec2(direction.x, direction.z) / across;
   const double gain = direction.y * shape.height + across * (shape.topRadius - shape.radius);

@@ -3,6 +3,7 @@
 /// The formulas of the four kinds of surface, in a shape's own coordinates (inside of Solid). A
 /// sphere is an ellipsoid, and a cylinder a frustum whose radii are equal.
 
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "solids/line_crossings.h"
@@ -13,6 +14,10 @@ namespace haarlight {
 /// What counts as on a surface, as a part of the measures: well above the rounding of points that
 /// are computed to lie on it.
 inline constexpr double onSurface = 1e-12;
+
+inline double distanceFromAxis(const glm::dvec3& point) {
+  return std::sqrt(point.x * point.x + point.z * point.z);
+}
 
 inline EllipsoidShape surfaceOf(const SphereShape& sphere) {
   return {glm::dvec3(sphere.radius)};

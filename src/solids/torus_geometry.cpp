@@ -12,7 +12,7 @@ namespace {
 
 /// The unit vector from the axis to a point; one of them for a point of the axis.
 glm::dvec3 awayFromAxis(const glm::dvec3& point) {
-  const double distance = std::hypot(point.x, point.z);
+  const double distance = distanceFromAxis(point);
   if (distance == 0) return {1, 0, 0};
   return {point.x / distance, 0, point.z / distance};
 }
@@ -20,7 +20,7 @@ glm::dvec3 awayFromAxis(const glm::dvec3& point) {
 /// From the nearest point of the circle inside the tube.
 glm::dvec3 fromCircle(const TorusShape& shape, const glm::dvec3& point) {
   const glm::dvec3 outwards = awayFromAxis(point);
-  return (std::hypot(point.x, point.z) - shape.majorRadius) * outwards + glm::dvec3(0, point.y, 0);
+  return (distanceFromAxis(point) - shape.majorRadius) * outwards + glm::dvec3(0, point.y, 0);
 }
 
 /// The distance from the surface along a line; negative inside.

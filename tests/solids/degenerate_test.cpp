@@ -141,6 +141,6 @@ TEST_CASE("far from the origin, or from far away, a hit is as exact as the coord
       if (glm::dot(normal, glm::normalize(ray.direction)) > -0.1) continue;
       const auto hit = solid.intersect(ray);
       REQUIRE(hit);
-      CHECK(std::abs(implicitFunction(solid, ray.at(hit->t))) < 1e-7);
+      CHECK(std::abs(implicitFunction(solid, ray.at(hit->t))) < 1e-8);
     }
 }
