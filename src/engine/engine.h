@@ -10,6 +10,7 @@
 #include "engine/receivers.h"
 #include "engine/shading_tables.h"
 #include "engine/stage_times.h"
+#include "engine/transfer_tables.h"
 #include "haar/occlusion_transform.h"
 #include "visibility/sphere.h"
 #include "visibility/sphere_binding.h"
@@ -40,8 +41,8 @@ struct DeviceUse {
 /// triple product: occlusion, light, lobes → radiance
 ///
 /// shade() runs all three without anything leaving the device in between, as three kernels or fused
-/// into one. The other calls run
-/// single steps and bring their results back, so that engines can be compared stage by stage
+/// into one. shadeByTransfer() shades vertices whose light was precomputed instead. The other calls
+/// run single steps and bring their results back, so that engines can be compared stage by stage
 /// (verify/). All engines give the same bits (docs/numerics.md).
 class Engine {
  public:
@@ -87,6 +88,16 @@ class Engine {
   /// Radiance (RGB, 0) of white receivers: multiply by the albedo.
   virtual std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                        StageTimes* times = nullptr) = 0;
+
+  /// Sets the rows of transfer of the following shadeByTransfer() calls, and the lights, which may
+  /// change while the rows stay.
+  virtual void setTransferRows(const TransferRows& rows) = 0;
+  virtual void setTransferLights(const TransferLights& lights) = 0;
+
+  /// Radiance (RGB, 0) by precomputed diffuse transfer; what the rows hold, such as the albedo, is
+  /// in it. Throws std::invalid_argument as requireTransfer() does.
+  virtual std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
+                                                 StageTimes* times = nullptr) = 0;
 };
 
 /// The scalar engine: one thread, written to be read beside the paper. Without a table its

@@ -44,6 +44,14 @@ class ForwardingEngine : public Engine {
                                StageTimes* times) override {
     return engine_->shade(spheres, receivers, times);
   }
+  void setTransferRows(const TransferRows& rows) override { engine_->setTransferRows(rows); }
+  void setTransferLights(const TransferLights& lights) override {
+    engine_->setTransferLights(lights);
+  }
+  std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
+                                         StageTimes* times) override {
+    return engine_->shadeByTransfer(receivers, times);
+  }
 
  protected:
   std::unique_ptr<Engine> engine_;

@@ -7,6 +7,7 @@
 #include "engine/steps/bound_spheres.h"
 #include "engine/steps/fused_path.h"
 #include "engine/steps/staged_path.h"
+#include "engine/steps/transfer_path.h"
 
 namespace haarlight {
 
@@ -47,6 +48,10 @@ class KernelEngine final : public Engine {
   void setFramePath(FramePath path) override { path_ = path; }
   std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                StageTimes* times) override;
+  void setTransferRows(const TransferRows& rows) override { transfer_.setRows(rows); }
+  void setTransferLights(const TransferLights& lights) override { transfer_.setLights(lights); }
+  std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
+                                         StageTimes* times) override;
 
  private:
   void warmUp();
@@ -57,6 +62,7 @@ class KernelEngine final : public Engine {
   BoundSpheres boundSpheres_{queue_};
   StagedPath staged_{queue_, frame_, shading_};
   FusedPath fused_{queue_, frame_, shading_};
+  TransferPath transfer_{queue_};
   FramePath path_;
   double preparationSeconds_ = 0;
 };
@@ -114,6 +120,16 @@ std::vector<glm::vec4> KernelEngine::shade(std::span<const Sphere> spheres, Rece
     const auto out = std::span(radiance).subspan(first, count);
     fused ? fused_.shade(part, out, stages) : staged_.shade(part, out, stages);
   }
+  stages.total += watch.total();
+  return radiance;
+}
+
+std::vector<glm::vec4> KernelEngine::shadeByTransfer(const TransferReceivers& receivers,
+                                                     StageTimes* times) {
+  StageTimes ignored;
+  StageTimes& stages = times ? *times : ignored;
+  const Stopwatch watch;
+  auto radiance = transfer_.shade(receivers, stages);
   stages.total += watch.total();
   return radiance;
 }

@@ -45,7 +45,7 @@ std::string openClSource(const KernelShape& shape) {
        {"lanes.cl", "canonical_sum.cl", "move_spheres.cl", "seen_spheres.cl", "sphere_bin.cl",
         "sphere_table_entries.cl", "bit_cube_rows.cl", "merge_bit_cubes.cl", "caps.cl",
         "cap_rows.cl", "tile_reach.cl", "merge_bit_cubes_exactly.cl", "transform_occlusion.cl",
-        "blend_radiance.cl", "triple_product.cl", "spread_weights.cl", "shade.cl"})
+        "blend_radiance.cl", "triple_product.cl", "spread_weights.cl", "shade.cl", "transfer.cl"})
     source += kernelText(file);
   return source;
 }
