@@ -16,6 +16,7 @@
 #include "scene/scene_fields.h"
 #include "scene/scene_file.h"
 #include "spheres/sphere_set.h"
+#include "transfer/diffuse_transfer.h"
 
 namespace haarlight {
 
@@ -86,6 +87,8 @@ void applyShading(const SceneOptions& options, ShadingDescription& shading) {
     shading.visibility = choiceOf(visibilityKindNames, options.visibility);
   if (options.terms) shading.terms = *options.terms;
   if (options.levels) shading.levels = *options.levels;
+  if (options.order) shading.order = *options.order;
+  if (!options.per.empty()) shading.per = choiceOf(shadedPerNames, options.per);
 }
 
 /// Why `auto` came down to the slowest engine.
@@ -150,7 +153,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
        "Of that fit: least error of the shadow, or cover (every point in a sphere) [shadow]",
        "Scene")
       ->check(CLI::IsMember(namesOf(fitObjectiveNames)));
-  text("--method", options.method, "haar, pixel (all texels) or pixel-mesh (rays) [haar]",
+  text("--method", options.method,
+       "haar, pixel (all texels), pixel-mesh (rays) or sh (precomputed transfer) [haar]",
        "Computation")
       ->check(CLI::IsMember(namesOf(shadingMethodNames)));
   command.add_option("--terms", options.terms, "Light wavelets kept, 0 to 6144 [200]")
@@ -159,6 +163,22 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("--levels", options.levels, "Levels of visibility, 1 or 2 [2]")
       ->group("Computation")
       ->check(CLI::Range(1, 2));
+  command
+      .add_option("--order", options.order,
+                  "Bands of spherical harmonics of sh, 1 to 20 [5, or the files']")
+      ->group("Computation")
+      ->check(CLI::Range(1, maximumTransferOrder));
+  text("--per", options.per,
+       "Of sh: vertex (radiance interpolated) or pixel (transfer interpolated) [vertex]",
+       "Computation")
+      ->check(CLI::IsMember(namesOf(shadedPerNames)));
+  command
+      .add_option("--transfer", options.transfer,
+                  "Of sh: transfer by haarlight prt for an object's mesh or the scene; may be "
+                  "repeated")
+      ->allow_extra_args(false)
+      ->group("Computation")
+      ->check(notEmpty());
   text("--visibility", options.visibility,
        "Of spheres, for haar and pixel: exact, or the paper's table (faster) [exact]",
        "Computation")

@@ -40,6 +40,9 @@ struct SceneOptions {
   std::string method;
   std::optional<int> terms;
   std::optional<int> levels;
+  std::optional<int> order;
+  std::string per;
+  std::vector<std::string> transfer;
   std::string visibility;
   std::string engine;
   std::string device;

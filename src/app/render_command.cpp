@@ -152,6 +152,7 @@ void renderAnimation(const RenderOptions& options, Console& console) {
   checkFrameTargets(options.outputs, settings.range, scene.animation.framesPerSecond,
                     settings.resume);
   ShadingSetup setup(options.scene, std::move(scene), console);
+  setup.requireStillObjects();
   if (!setup.moves() && settings.range.count() > 1)
     console.warning("nothing in this scene moves: all frames are alike");
   console.results(renderFrames(setup, options.outputs, settings));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/version.h"
+#include "base/error.h"
 #include "base/stopwatch.h"
 #include "scene/names.h"
 
@@ -14,6 +15,11 @@ std::size_t sphereCount(const Scene& scene) {
   std::size_t count = 0;
   for (const SceneObject& object : scene.objects) count += object.spheres.size();
   return count;
+}
+
+/// Whether the spheres' visibility is found as the scene's `visibility` says.
+bool usesVisibilityKind(const RadianceMethod& method) {
+  return method.name() == "haar" || method.name() == "pixel";
 }
 
 }  // namespace
@@ -31,6 +37,27 @@ ShadingSetup::ShadingSetup(const SceneOptions& options, SceneDescription descrip
                               100 * projection.powerRatio));
 }
 
+void ShadingSetup::requireStillObjects() const {
+  if (description_.shading.method != ShadingMethod::Sh) return;
+  for (std::size_t i = 0; i < scene().objects.size(); ++i)
+    if (moving_.objects()[i].moves())
+      throw InputError("object '" + scene().objects[i].name +
+                       "' moves, and transfer is for one pose: use --method haar");
+}
+
+std::shared_ptr<const SceneTransfer> ShadingSetup::transfer() {
+  if (transfer_) return transfer_;
+  const std::vector<std::filesystem::path> files(options_.transfer.begin(),
+                                                 options_.transfer.end());
+  const Stopwatch watch;
+  transfer_ = std::make_shared<const SceneTransfer>(makeSceneTransfer(
+      description_, moving_, files, description_.shading.order, console_.progress()));
+  for (const std::string& warning : transfer_->warnings) console_.warning(warning);
+  console_.message(fmt::format("transfer of {} vertices, order {}, ready in {:.2f} s",
+                               transfer_->rows.rowCount(), transfer_->rows.order, watch.total()));
+  return transfer_;
+}
+
 std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
                                                      std::span<const SurfaceSample> typicalSamples,
                                                      bool anyNormal) {
@@ -41,6 +68,8 @@ std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
     engine_ = openEngine(options_, description_, table_, console_);
     engine_->setSphereBinding(moving_.binding());
   }
+  if (which == ShadingMethod::Sh)
+    return makeTransferMethod(scene(), engine_, transfer(), description_.shading.per);
   ShadingSettings settings;
   settings.terms = description_.shading.terms;
   settings.levels = description_.shading.levels;
@@ -66,7 +95,13 @@ nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const
     summary["terms"] = description_.shading.terms;
     summary["levels"] = description_.shading.levels;
   }
-  if (method.name() != "pixel-mesh")
+  if (method.name() == "sh") {
+    summary["order"] = transfer_->rows.order;
+    summary["per"] = nameOf(shadedPerNames, description_.shading.per);
+    summary["transfer_channels"] = transfer_->rows.channels;
+    summary["vertices"] = transfer_->rows.rowCount();
+  }
+  if (usesVisibilityKind(method))
     summary["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
   summary["spheres"] = sphereCount(scene());
   summary["light"] = description_.light.source;
@@ -80,11 +115,15 @@ ImageAttributes ShadingSetup::attributes(const RadianceMethod& method) const {
                              {"device", method.deviceName()},
                              {"spheres", int(sphereCount(scene()))},
                              {"light", description_.light.source}};
-  if (method.name() != "pixel-mesh")
+  if (usesVisibilityKind(method))
     attributes["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
   if (method.name() == "haar") {
     attributes["terms"] = description_.shading.terms;
     attributes["levels"] = description_.shading.levels;
+  }
+  if (method.name() == "sh") {
+    attributes["order"] = transfer_->rows.order;
+    attributes["per"] = nameOf(shadedPerNames, description_.shading.per);
   }
   return attributes;
 }

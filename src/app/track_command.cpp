@@ -35,8 +35,11 @@ SceneDescription describe(const TrackOptions& options) {
   if (options.framesPerSecond) scene.animation.framesPerSecond = *options.framesPerSecond;
   if (options.compareTo.empty()) return scene;
   if (!scene.receiver) throw InputError("--compare-to needs a receiver plane in the scene");
-  if (scene.shading.method == ShadingMethod::PixelMesh)
+  const ShadingMethod method = scene.shading.method;
+  if (method == ShadingMethod::PixelMesh)
     throw InputError("--compare-to compares the method haar or pixel, not pixel-mesh with itself");
+  if (method == ShadingMethod::Sh)
+    throw InputError("--compare-to compares the method haar or pixel, not sh: objects move");
   return scene;
 }
 

@@ -16,6 +16,8 @@ std::vector<LightSource> sourcesOf(const LightDescription& description) {
   if (description.motion)
     for (const LightKey& key : description.motion->keys)
       if (key.source) sources.push_back({*key.source, key.layout});
+  for (const LightSampleDescription& sample : description.samples)
+    sources.push_back({sample.source, sample.layout});
   return sources;
 }
 
@@ -69,6 +71,12 @@ bool MovingLight::show(double seconds, SceneLight& light) {
   light.rotation = yawRotation(state.rotateDegrees);
   light.scale = float(state.scale);
   light.projection = projectToCube(*light.environment, light.rotation, light.scale);
+  light.samples.clear();
+  for (const LightSampleDescription& sample : description_.samples)
+    light.samples.push_back({glm::vec3(sample.position),
+                             environmentOf({sample.source, sample.layout}, state.sky),
+                             yawRotation(state.rotateDegrees + sample.rotateDegrees),
+                             float(state.scale * sample.scale)});
   return true;
 }
 

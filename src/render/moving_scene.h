@@ -26,6 +26,9 @@ class MovingScene {
   /// Whether anything, the camera included, changes over time.
   bool moves() const;
 
+  /// The objects with all that moves them, in the order of scene().objects.
+  const std::vector<MovingObject>& objects() const { return objects_; }
+
   /// As shown.
   const Scene& scene() const { return scene_; }
 

@@ -30,10 +30,16 @@ inline constexpr std::array<Named<Rest>, 2> restNames{{
 inline constexpr std::array<std::string_view, 5> lightLayouts{"auto", "latlong", "vcross", "hcross",
                                                               "angular"};
 
-inline constexpr std::array<Named<ShadingMethod>, 3> shadingMethodNames{{
+inline constexpr std::array<Named<ShadingMethod>, 4> shadingMethodNames{{
     {"haar", ShadingMethod::Haar},
     {"pixel", ShadingMethod::Pixel},
     {"pixel-mesh", ShadingMethod::PixelMesh},
+    {"sh", ShadingMethod::Sh},
+}};
+
+inline constexpr std::array<Named<ShadedPer>, 2> shadedPerNames{{
+    {"vertex", ShadedPer::vertex},
+    {"pixel", ShadedPer::pixel},
 }};
 
 inline constexpr std::array<Named<VisibilityKind>, 2> visibilityKindNames{{

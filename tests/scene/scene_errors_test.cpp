@@ -113,7 +113,7 @@ TEST_CASE("arrays of the wrong length are refused") {
 
 TEST_CASE("words that are no choice are answered with the choices") {
   CHECK(complaintBesideReceiver(R"("shading": {"method": "harr"})") ==
-        "scene.json: shading.method: must be one of haar, pixel, pixel-mesh, is \"harr\"");
+        "scene.json: shading.method: must be one of haar, pixel, pixel-mesh, sh, is \"harr\"");
   CHECK(complaintBesideReceiver(R"("light": {"layout": 3})") ==
         "scene.json: light.layout: must be one of auto, latlong, vcross, hcross, angular, is 3");
   CHECK(complaint(R"({"objects": [{"mesh": "builtin:cube"}]})") ==
