@@ -22,6 +22,12 @@ float brightest(const ShadingTables& tables) {
   return maximum;
 }
 
+float brightest(std::span<const glm::vec4> radiance) {
+  float maximum = 0;
+  for (const glm::vec4& value : radiance) maximum = std::max({maximum, value.x, value.y, value.z});
+  return maximum;
+}
+
 }  // namespace
 
 SubjectComparison::SubjectComparison(Subject subject, const std::optional<Injection>& injection)
@@ -78,6 +84,8 @@ void SubjectComparison::compare(const Question& question, const Answers& answers
     compareFused(value, question.tables[i], answers.radiance[i]);
   }
   compareFrame(value, question.tables[question.frameTables], answers);
+  for (std::size_t i = 0; i < question.transfer.size(); ++i)
+    compareTransfer(value, question.transfer[i], answers.transfer[i]);
 }
 
 void SubjectComparison::compareMovedSpheres(const Case& value, const Answers& answers) {
@@ -131,6 +139,16 @@ void SubjectComparison::compareFrame(const Case& value, const ShadingTables& tab
   const auto radiance =
       timed(frame, [&] { return engine_->shade(value.spheres, value.receivers); });
   frame.compareRadiance(value, answers.frame, radiance, brightest(tables));
+}
+
+void SubjectComparison::compareTransfer(const Case& value, const TransferQuestion& question,
+                                        std::span<const glm::vec4> expected) {
+  Tally& transfer = tallyOf(Stage::transfer, nameOf(question.setting));
+  engine_->setTransferRows(question.rows);
+  engine_->setTransferLights(question.lights);
+  const auto radiance =
+      timed(transfer, [&] { return engine_->shadeByTransfer(question.receivers); });
+  transfer.compareRadiance(value, expected, radiance, brightest(expected));
 }
 
 std::vector<Row> SubjectComparison::rows() const {

@@ -29,8 +29,10 @@ void place(std::vector<Element>& whole, std::size_t first, const std::vector<Ele
 
 }  // namespace
 
-Question::Question(Case caseToAsk, std::span<const Setting> settings)
+Question::Question(Case caseToAsk, std::span<const Setting> settings,
+                   std::span<const TransferSetting> transferSettings)
     : value(std::move(caseToAsk)) {
+  for (const TransferSetting& setting : transferSettings) transfer.emplace_back(value, setting);
   for (const Setting& setting : settings) tables.push_back(tablesFor(value, setting));
   frameTables = value.spheres.size() % tables.size();
 }
@@ -40,6 +42,12 @@ std::span<const Setting> settingsFor(const Case& value, std::size_t index, bool 
   if (asksAll) return allSettings;
   constexpr std::size_t levels = 2;
   return std::span(allSettings).subspan(index * levels % allSettings.size(), levels);
+}
+
+std::span<const TransferSetting> transferSettingsFor(const Case& value, std::size_t index,
+                                                     bool asksAll) {
+  if (asksAll && value.receivers.size() <= mostReceiversForAllSettings) return allTransferSettings;
+  return std::span(allTransferSettings).subspan(index % allTransferSettings.size(), 1);
 }
 
 Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereTable> table) {
@@ -69,6 +77,12 @@ Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereT
     reference->setShading(question.tables[question.frameTables]);
     place(answers.frame, begin, reference->shade(spheres, part));
   });
+  for (const TransferQuestion& transfer : question.transfer) {
+    const auto reference = makeReferenceEngine(nullptr);
+    reference->setTransferRows(transfer.rows);
+    reference->setTransferLights(transfer.lights);
+    answers.transfer.push_back(reference->shadeByTransfer(transfer.receivers));
+  }
   return answers;
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/engine.h"
 #include "verify/cases/case.h"
+#include "verify/transfer_question.h"
 #include "visibility/visibility_kind.h"
 
 namespace haarlight::verify {
@@ -25,13 +26,20 @@ struct Question {
   std::vector<ShadingTables> tables;
   /// Which of `tables` the whole frame is rendered with.
   std::size_t frameTables = 0;
+  std::vector<TransferQuestion> transfer;
 
-  Question(Case caseToAsk, std::span<const Setting> settings);
+  Question(Case caseToAsk, std::span<const Setting> settings,
+           std::span<const TransferSetting> transferSettings = allTransferSettings);
 };
 
 /// The settings that question `index` of a run is asked with: all of them when `asksAll`; 200 terms
 /// and two levels for frames of many receivers; else two levels of one number of terms, in turn.
 std::span<const Setting> settingsFor(const Case& value, std::size_t index, bool asksAll);
+
+/// The settings of transfer of question `index` of a run: all of them when `asksAll` and it is no
+/// frame of many receivers, else one in turn.
+std::span<const TransferSetting> transferSettingsFor(const Case& value, std::size_t index,
+                                                     bool asksAll);
 
 /// The scalar reference's answers, stage by stage.
 struct Answers {
@@ -43,6 +51,8 @@ struct Answers {
   /// By tables of the question.
   std::vector<std::vector<glm::vec4>> radiance;
   std::vector<glm::vec4> frame;
+  /// By transfer of the question.
+  std::vector<std::vector<glm::vec4>> transfer;
 };
 
 /// Asks the reference, on all threads. Without a table visibility is exact.

@@ -17,7 +17,8 @@ struct NamedKind {
 };
 constexpr std::array namedKinds{
     NamedKind{"sphere", InjectionKind::sphere}, NamedKind{"bit", InjectionKind::bit},
-    NamedKind{"coefficient", InjectionKind::coefficient}, NamedKind{"ulp", InjectionKind::ulp}};
+    NamedKind{"coefficient", InjectionKind::coefficient}, NamedKind{"ulp", InjectionKind::ulp},
+    NamedKind{"transfer", InjectionKind::transfer}};
 
 float nextUp(float value) {
   return std::nextafter(value, std::numeric_limits<float>::infinity());
@@ -28,7 +29,7 @@ float nextUp(float value) {
 InjectionKind injectionKind(const std::string& name) {
   for (const NamedKind& named : namedKinds)
     if (name == named.name) return named.kind;
-  throw InputError("unknown fault '" + name + "': use sphere, bit, coefficient or ulp");
+  throw InputError("unknown fault '" + name + "': use sphere, bit, coefficient, ulp or transfer");
 }
 
 std::string nameOf(InjectionKind kind) {
@@ -96,6 +97,13 @@ std::vector<glm::vec4> FaultyEngine::tripleProduct(std::span<const OcclusionHaar
 std::vector<glm::vec4> FaultyEngine::shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                            StageTimes* times) {
   return engine_->shade(spheres, receivers, times);
+}
+
+std::vector<glm::vec4> FaultyEngine::shadeByTransfer(const TransferReceivers& receivers,
+                                                     StageTimes* times) {
+  auto radiance = engine_->shadeByTransfer(receivers, times);
+  if (kind_ == InjectionKind::transfer && !radiance.empty()) moveByOneUlp(radiance);
+  return radiance;
 }
 
 }  // namespace haarlight::verify

@@ -20,7 +20,9 @@ enum class InjectionKind {
   /// One Haar coefficient is moved to the next float32 number.
   coefficient,
   /// One channel of a radiance is moved to the next float32 number.
-  ulp
+  ulp,
+  /// The same, of a radiance by transfer.
+  transfer
 };
 
 struct Injection {
@@ -28,7 +30,7 @@ struct Injection {
   std::string engine;
 };
 
-/// "sphere", "bit", "coefficient" or "ulp". Throws InputError for another word.
+/// "sphere", "bit", "coefficient", "ulp" or "transfer". Throws InputError for another word.
 InjectionKind injectionKind(const std::string& name);
 std::string nameOf(InjectionKind kind);
 
@@ -59,6 +61,8 @@ class FaultyEngine final : public ForwardingEngine {
                                        std::span<const LobeBlend> lobes) override;
   std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                StageTimes* times) override;
+  std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
+                                         StageTimes* times) override;
 
  private:
   std::size_t choose(std::size_t count);

@@ -88,7 +88,8 @@ class Run {
   void compareAll(const Case& value, std::size_t index) {
     report("comparing", double(index) / double(questions_.count()));
     const auto settings = settingsFor(value, index, index < questions_.fixedCount());
-    const Question question(value, settings);
+    const auto transfers = transferSettingsFor(value, index, index < questions_.fixedCount());
+    const Question question(value, settings, transfers);
     for (const VisibilityKind visibility : {VisibilityKind::exact, VisibilityKind::table}) {
       const Answers answers =
           referenceAnswers(question, visibility == VisibilityKind::table ? table_ : nullptr);
@@ -97,7 +98,7 @@ class Run {
         const bool agreed = !comparison.disagrees();
         comparison.compare(question, answers);
         if (agreed && comparison.disagrees() && !failing_)
-          failing_ = {value, &comparison, settings};
+          failing_ = {value, &comparison, settings, transfers};
       }
     }
   }
@@ -113,7 +114,7 @@ class Run {
     SubjectComparison& comparison = *failing_->comparison;
     const auto table = comparison.visibility() == VisibilityKind::table ? table_ : nullptr;
     return shrunk(failing_->value, [&](const Case& part) {
-      const Question question(part, failing_->settings);
+      const Question question(part, failing_->settings, failing_->transfers);
       return comparison.failsOn(question, referenceAnswers(question, table));
     });
   }
@@ -122,6 +123,7 @@ class Run {
     Case value;
     SubjectComparison* comparison;
     std::span<const Setting> settings;
+    std::span<const TransferSetting> transfers;
   };
 
   const RunOptions& options_;

@@ -1,6 +1,6 @@
-#include "scene/json_schema.h"
 #include "../verify/report_test_support.h"
 #include "run_haarlight.h"
+#include "scene/json_schema.h"
 #include "test_support.h"
 
 using namespace haarlight::test;
@@ -14,8 +14,8 @@ const Arguments smallOnHost = joined(small, {"--engine", "cuda-host"});
 
 const std::vector<std::string> stages{
     "moved_spheres",  "table_entries", "bit_cubes", "haar_coefficients",
-    "triple_product", "fused",         "frame"};
-const std::vector<std::string> faults{"sphere", "bit", "coefficient", "ulp"};
+    "triple_product", "fused",         "frame",     "transfer"};
+const std::vector<std::string> faults{"sphere", "bit", "coefficient", "ulp", "transfer"};
 
 /// The report of a run with --json that ends with this exit code.
 Document reportOf(const Arguments& arguments, int exitCode) {
@@ -145,7 +145,8 @@ TEST_CASE("faults put into any engine's results are all found where they are") {
   const std::map<std::string, std::string> stageOfFault{{"sphere", "moved_spheres"},
                                                         {"bit", "bit_cubes"},
                                                         {"coefficient", "haar_coefficients"},
-                                                        {"ulp", "triple_product"}};
+                                                        {"ulp", "triple_product"},
+                                                        {"transfer", "transfer"}};
   for (const std::string& engine : enginesHere())
     for (const std::string& fault : faults) {
       CAPTURE(engine);

@@ -11,14 +11,23 @@ namespace haarlight::verify {
 
 /// The stages of a frame, each compared on its own: every stage gets the reference's results of the
 /// stage before, so that a mismatch is reported where it arises. Only `frame` runs all of them, but
-/// for `movedSpheres`, which has spheres of its own.
-enum class Stage { movedSpheres, tableEntries, bitCubes, haar, tripleProduct, fused, frame };
+/// for `movedSpheres`, which has spheres of its own, and `transfer`, which is another way to shade.
+enum class Stage {
+  movedSpheres,
+  tableEntries,
+  bitCubes,
+  haar,
+  tripleProduct,
+  fused,
+  frame,
+  transfer
+};
 inline constexpr std::array allStages{Stage::movedSpheres, Stage::tableEntries,  Stage::bitCubes,
                                       Stage::haar,         Stage::tripleProduct, Stage::fused,
-                                      Stage::frame};
+                                      Stage::frame,        Stage::transfer};
 
 /// "moved spheres", "table entries", "bit cubes", "Haar coefficients", "triple product", "fused",
-/// "frame".
+/// "frame", "transfer".
 std::string nameOf(Stage stage);
 
 /// Whether a stage's results are float32 (else unsigned integers, which have no ULP).
@@ -62,7 +71,7 @@ struct Row {
   Stage stage = Stage::bitCubes;
   /// "exact" or "table"; "-" for stages that visibility does not touch.
   std::string visibility = "-";
-  /// "50 terms, level I", … for sums; else empty.
+  /// "50 terms, level I", … for sums; "order 5, grey, 1 light", … for transfer; else empty.
   std::string setting;
   std::string engine;
   std::string device;
@@ -105,7 +114,7 @@ struct Absent {
 
 /// What became of the faults that were put into one engine's results (verify/injection.h).
 struct FaultSummary {
-  /// "sphere", "bit", "coefficient" or "ulp".
+  /// "sphere", "bit", "coefficient", "ulp" or "transfer".
   std::string kind;
   std::string engine, device, shape, visibility;
   std::uint64_t injected = 0;
