@@ -31,6 +31,8 @@ ShadingSetup::ShadingSetup(const SceneOptions& options, SceneDescription descrip
       console_(console),
       moving_(description_, console.progress()) {
   for (const std::string& warning : scene().warnings) console.warning(warning);
+  if (!description_.light.samples.empty() && description_.shading.method != ShadingMethod::Sh)
+    console.warning("only the method sh knows light.samples; others take the light alone");
   const LightProjection& projection = scene().light.projection;
   console.message(fmt::format("light: {}; {:.3f} % of its power is on the cube",
                               scene().light.environment->description(),

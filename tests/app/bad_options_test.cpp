@@ -26,7 +26,8 @@ TEST_CASE("numbers out of range and no numbers are refused") {
       {{"--spheres", "0"},         {"--spheres", "-1"},        {"--spheres", "100000"},
        {"--spheres", "3.5"},       {"--terms", "-1"},          {"--terms", "6145"},
        {"--terms", "abc"},         {"--terms", "99999999999"}, {"--levels", "0"},
-       {"--levels", "3"},          {"--samples", "0"},         {"--samples", "100000"},
+       {"--levels", "3"},          {"--order", "0"},           {"--order", "21"},
+       {"--order", "4.5"},         {"--samples", "0"},         {"--samples", "100000"},
        {"--threads", "-1"},        {"--threads", "100000"},    {"--light-rotate", "nan"},
        {"--light-rotate", "1e30"}, {"--light-rotate", "up"},   {"--light-scale", "-1"},
        {"--light-scale", "nan"},   {"--light-scale", "inf"},   {"--sun", "0,45"},
@@ -59,6 +60,8 @@ TEST_CASE("names that do not exist are refused") {
                                {"--engine", "magic"},
                                {"--visibility", "fuzzy"},
                                {"--compare-to", "nothing"},
+                               {"--per", "triangle"},
+                               {"--transfer", ""},
                                {"--mesh", ""},
                                {"--light", ""}});
   checkRefused({"render", "-o", "x.png", "--mesh", "builtin:teapot"}, "builtin:teapot");
