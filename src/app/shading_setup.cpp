@@ -86,7 +86,7 @@ ShowTimes ShadingSetup::show(double seconds, RadianceMethod& method) {
   moving_.showSpheres(engine_ ? engine_->moveSpheres(moving_.boundVertices())
                               : moveSpheres(moving_.binding(), moving_.boundVertices()));
   times.spheres = watch.lap();
-  method.sceneChanged(moving_.showLight(seconds));
+  method.sceneChanged(moving_.showLight(seconds, method.readsLightCube()));
   times.light = watch.lap();
   return times;
 }

@@ -26,6 +26,9 @@ class RadianceMethod {
   /// and its light only where `lightToo` says so.
   virtual void sceneChanged(bool lightToo) = 0;
 
+  /// Whether the light is read from its projection onto the cube.
+  virtual bool readsLightCube() const { return true; }
+
   /// To be called before the samples of another frame, where one is shaded again for measuring.
   virtual void newFrame() {}
 

@@ -34,6 +34,8 @@ class TransferMethod final : public RadianceMethod {
     newFrame();
   }
 
+  bool readsLightCube() const override { return false; }
+
   void newFrame() override { ofVertices_.clear(); }
 
   std::vector<glm::vec3> radiance(std::span<const SurfaceSample> samples) override {

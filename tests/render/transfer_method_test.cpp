@@ -147,6 +147,26 @@ TEST_CASE("a light that is turned is its coefficients turned") {
   }
 }
 
+TEST_CASE("the cube is left alone until somebody reads it") {
+  SceneDescription description = ballScene();
+  auto& keys = description.light.motion.emplace().keys;
+  keys.resize(2);
+  keys[1].seconds = 1;
+  keys[1].scale = 2;
+  MovingScene moving(description);
+  const SceneLight& light = moving.scene().light;
+  const glm::vec3 first = light.projection.cube[0];
+  REQUIRE(first.x > 0);
+  CHECK(moving.showLight(1, false));
+  CHECK(light.scale == 2);
+  CHECK(light.projection.cube[0] == first);
+  CHECK_FALSE(moving.showLight(1, false));
+  CHECK(moving.showLight(1));
+  CHECK(light.projection.cube[0] == 2.0f * first);
+  CHECK_FALSE(moving.showLight(1));
+  CHECK_FALSE(moving.showLight(1, false));
+}
+
 TEST_CASE("when the light turns, so does what sh shows") {
   SceneDescription description = ballScene();
   auto& keys = description.light.motion.emplace().keys;
@@ -155,7 +175,8 @@ TEST_CASE("when the light turns, so does what sh shows") {
   keys[1].rotateDegrees = 90;
   Shading moving(description);
   const auto before = moving.ofPlane();
-  moving.moving.show(1);
+  CHECK_FALSE(moving.method->readsLightCube());
+  moving.moving.showLight(1, false);
   moving.method->sceneChanged(true);
   const auto after = moving.ofPlane();
   SceneDescription turned = ballScene();
