@@ -112,7 +112,7 @@ TEST_CASE("files of transfer that cannot be used are refused in one line") {
   CHECK_FALSE(std::filesystem::exists(ball.picture));
 }
 
-TEST_CASE("frames may turn the light; frames of an object that moves are refused") {
+TEST_CASE("frames may turn the light, but no frame may move an object") {
   const std::string turning =
       R"(, "motion": {"keys": [{"seconds": 0}, {"seconds": 1, "rotateDegrees": 90}]})";
   const Ball ball("", turning);
