@@ -13,6 +13,16 @@ void TransferPath::setRows(const TransferRows& rows) {
 void TransferPath::setLights(const TransferLights& lights) {
   lights_ = lights;
   queue_.upload(lightValues_, lights.values);
+  warmUp();
+}
+
+/// Some drivers (PoCL) compile a kernel when it is first launched, which is no part of a frame.
+void TransferPath::warmUp() {
+  bool& isWarm = isWarm_[rows_.order == 2 ? 0 : 1];
+  if (isWarm || rowCount_ == 0 || lights_.order != rows_.order || lights_.count() == 0) return;
+  isWarm = true;
+  StageTimes ignored;
+  shade({{RowBlend{}}, std::vector<float>(lights_.count())}, ignored);
 }
 
 CommandSeconds TransferPath::launch(std::span<const RowBlend> blends) {

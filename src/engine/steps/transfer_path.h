@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "engine/stage_times.h"
 #include "engine/steps/kernel_queue.h"
 #include "engine/transfer_tables.h"
@@ -20,11 +22,13 @@ class TransferPath {
 
  private:
   CommandSeconds launch(std::span<const RowBlend> blends);
+  void warmUp();
 
   KernelQueue& queue_;
   TransferRows rows_;  ///< without their values, which are on the device only
   std::size_t rowCount_ = 0;
   TransferLights lights_;
+  std::array<bool, 2> isWarm_{};  ///< the kernel for four coefficients, the other one
   GrowingBuffer rowValues_, lightValues_, blends_, lightWeights_, radiance_;
 };
 
