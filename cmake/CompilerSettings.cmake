@@ -8,6 +8,9 @@ target_compile_options(haarlight_compiler_settings INTERFACE
 # GCC 12 warns of overlapping copies in "text" + std::string that do not overlap (its bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(haarlight_compiler_settings INTERFACE -Wno-restrict)
+  if(HAARLIGHT_PRECOMPILE_HEADERS)  # of which it then no longer knows that they are a library's
+    target_compile_options(haarlight_compiler_settings INTERFACE -Wno-stringop-overflow -Wno-array-bounds)
+  endif()
 endif()
 
 # The same for nvcc, where fused operations are written __fmaf_rn. (GLM's headers mark functions in

@@ -25,6 +25,11 @@ using uint = unsigned int;
 #define NEW_SHARED_MEMORY(array)
 #endif
 
+// Comes before a loop over a private array, which registers can hold if every index is known.
+#ifndef UNROLL
+#define UNROLL _Pragma("unroll")
+#endif
+
 #define SAMPLE_IN_GROUP threadIdx.y
 #define SAMPLE (blockIdx.x * blockDim.y + SAMPLE_IN_GROUP)
 #define SAMPLE_LOCAL(type, array, size)                                     \

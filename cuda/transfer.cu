@@ -35,9 +35,6 @@ __device__ inline float blendedLight(const float* lights, const float* weights,
   return light;
 }
 
-// Radiance that is not above zero, which ringing can give, is none; nor does zero keep a sign.
-__device__ inline float radianceOf(float sum) { return sum > 0.0f ? sum : 0.0f; }
-
 // The trees of three sums at once, 32 partial sums each, one sum after the other.
 __device__ inline void addThreePartials(float* partials) {
   for (uint width = LANES / 2; width > 0; width /= 2) {
@@ -76,8 +73,8 @@ HAARLIGHT_KERNEL void shadeByTransfer(const RowBlend* __restrict__ blends,
   LANE_BARRIER();
   addThreePartials(partials);
   if (LANE == 0)
-    radiance[SAMPLE] = make_float4(radianceOf(partials[0]), radianceOf(partials[LANES]),
-                                   radianceOf(partials[2 * LANES]), 0.0f);
+    radiance[SAMPLE] = make_float4(positivePart(partials[0]), positivePart(partials[LANES]),
+                                   positivePart(partials[2 * LANES]), 0.0f);
 }
 
 // Order 2: a row of a channel is one float4, and a lane takes a receiver.
@@ -116,7 +113,7 @@ __device__ inline float4 blendedFourOfLights(const float4* lights, const float* 
 __device__ inline float radianceOfFour(float4 transfer, float4 light) {
   const float x = transfer.x * light.x, y = transfer.y * light.y, z = transfer.z * light.z,
               w = transfer.w * light.w;
-  return radianceOf((x + z) + (y + w));
+  return positivePart((x + z) + (y + w));
 }
 
 HAARLIGHT_KERNEL void shadeByFourCoefficients(const RowBlend* __restrict__ blends,

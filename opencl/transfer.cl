@@ -33,9 +33,6 @@ inline float blendedLight(__global const float* lights, __global const float* we
   return light;
 }
 
-// Radiance that is not above zero, which ringing can give, is none; nor does zero keep a sign.
-inline float radianceOf(float sum) { return sum > 0.0f ? sum : 0.0f; }
-
 // The trees of three sums at once, 32 partial sums each, one sum after the other.
 inline void addThreePartials(__local float* partials) {
   for (uint width = LANES / 2; width > 0; width /= 2) {
@@ -75,8 +72,8 @@ HAARLIGHT_KERNEL void shadeByTransfer(__global const RowBlend* restrict blends,
   LANE_BARRIER();
   addThreePartials(partials);
   if (FIRST_LANE == 0)
-    radiance[SAMPLE] = (float4)(radianceOf(partials[0]), radianceOf(partials[LANES]),
-                                radianceOf(partials[2 * LANES]), 0.0f);
+    radiance[SAMPLE] = (float4)(positivePart(partials[0]), positivePart(partials[LANES]),
+                                positivePart(partials[2 * LANES]), 0.0f);
 }
 
 // Order 2: a row of a channel is one float4, and a lane takes a receiver.
@@ -111,7 +108,7 @@ inline float4 blendedFourOfLights(__global const float4* lights, __global const 
 // The tree over 32 partial sums, of which four are not zero.
 inline float radianceOfFour(float4 transfer, float4 light) {
   const float4 products = transfer * light;
-  return radianceOf((products.x + products.z) + (products.y + products.w));
+  return positivePart((products.x + products.z) + (products.y + products.w));
 }
 
 HAARLIGHT_KERNEL void shadeByFourCoefficients(__global const RowBlend* restrict blends,

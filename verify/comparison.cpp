@@ -22,6 +22,15 @@ float brightest(const ShadingTables& tables) {
   return maximum;
 }
 
+float brightest(const ExponentiationTables& tables) {
+  constexpr float sphereRoot = 3.5449077f;  // √4π: without shadow V is this and zeros
+  float maximum = 0;
+  for (std::size_t slot = 0; slot < tables.slotCount(); ++slot)
+    for (int channel = 0; channel < 3; ++channel)
+      maximum = std::max(maximum, sphereRoot * tables.lightLobe(slot, channel)[0]);
+  return maximum;
+}
+
 float brightest(std::span<const glm::vec4> radiance) {
   float maximum = 0;
   for (const glm::vec4& value : radiance) maximum = std::max({maximum, value.x, value.y, value.z});
@@ -84,6 +93,8 @@ void SubjectComparison::compare(const Question& question, const Answers& answers
     compareFused(value, question.tables[i], answers.radiance[i]);
   }
   compareFrame(value, question.tables[question.frameTables], answers);
+  for (std::size_t i = 0; i < question.exponentiation.size(); ++i)
+    compareExponentiation(value, question.exponentiation[i], answers.exponentiation[i]);
   for (std::size_t i = 0; i < question.transfer.size(); ++i)
     compareTransfer(value, question.transfer[i], answers.transfer[i]);
 }
@@ -139,6 +150,17 @@ void SubjectComparison::compareFrame(const Case& value, const ShadingTables& tab
   const auto radiance =
       timed(frame, [&] { return engine_->shade(value.spheres, value.receivers); });
   frame.compareRadiance(value, answers.frame, radiance, brightest(tables));
+}
+
+void SubjectComparison::compareExponentiation(const Case& value, const ExponentiationTables& tables,
+                                              std::span<const glm::vec4> expected) {
+  Tally& exponentiation =
+      tallyOf(Stage::exponentiation, "order " + std::to_string(tables.visibility.order));
+  engine_->setExponentiation(tables);
+  const auto radiance = timed(exponentiation, [&] {
+    return engine_->shadeByExponentiation(value.spheres, value.receivers);
+  });
+  exponentiation.compareRadiance(value, expected, radiance, brightest(tables));
 }
 
 void SubjectComparison::compareTransfer(const Case& value, const TransferQuestion& question,

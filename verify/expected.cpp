@@ -21,6 +21,14 @@ ShadingTables tablesFor(const Case& value, const Setting& setting) {
   return buildShadingTables(value.light, settings, countLobes(value.receivers.lobes));
 }
 
+/// All elements when `asksAll` and the case is no frame, else one in turn.
+template <typename Element, std::size_t size>
+std::span<const Element> allOrOneInTurn(const std::array<Element, size>& all, const Case& value,
+                                        std::size_t index, bool asksAll) {
+  if (asksAll && value.receivers.size() <= mostReceiversForAllSettings) return all;
+  return std::span(all).subspan(index % size, 1);
+}
+
 /// Copies a part's results to their place in the whole.
 template <typename Element>
 void place(std::vector<Element>& whole, std::size_t first, const std::vector<Element>& part) {
@@ -29,9 +37,12 @@ void place(std::vector<Element>& whole, std::size_t first, const std::vector<Ele
 
 }  // namespace
 
-Question::Question(Case caseToAsk, std::span<const Setting> settings,
+Question::Question(Case caseToAsk, std::span<const Setting> settings, std::span<const int> orders,
                    std::span<const TransferSetting> transferSettings)
     : value(std::move(caseToAsk)) {
+  const auto importance = countLobes(value.receivers.lobes);
+  for (const int order : orders)
+    exponentiation.push_back(buildExponentiationTables(value.light, order, importance));
   for (const TransferSetting& setting : transferSettings) transfer.emplace_back(value, setting);
   for (const Setting& setting : settings) tables.push_back(tablesFor(value, setting));
   frameTables = value.spheres.size() % tables.size();
@@ -44,10 +55,13 @@ std::span<const Setting> settingsFor(const Case& value, std::size_t index, bool 
   return std::span(allSettings).subspan(index * levels % allSettings.size(), levels);
 }
 
+std::span<const int> ordersFor(const Case& value, std::size_t index, bool asksAll) {
+  return allOrOneInTurn(allOrders, value, index, asksAll);
+}
+
 std::span<const TransferSetting> transferSettingsFor(const Case& value, std::size_t index,
                                                      bool asksAll) {
-  if (asksAll && value.receivers.size() <= mostReceiversForAllSettings) return allTransferSettings;
-  return std::span(allTransferSettings).subspan(index % allTransferSettings.size(), 1);
+  return allOrOneInTurn(allTransferSettings, value, index, asksAll);
 }
 
 Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereTable> table) {
@@ -60,6 +74,7 @@ Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereT
   answers.occlusion.resize(count);
   answers.radiance.assign(question.tables.size(), std::vector<glm::vec4>(count));
   answers.frame.resize(count);
+  answers.exponentiation.assign(question.exponentiation.size(), std::vector<glm::vec4>(count));
   parallelFor(count, receiversPerTask, [&](std::size_t begin, std::size_t end) {
     const auto reference = makeReferenceEngine(table);
     const ReceiverSpan part = ReceiverSpan(receivers).part(begin, end - begin);
@@ -76,6 +91,10 @@ Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereT
     }
     reference->setShading(question.tables[question.frameTables]);
     place(answers.frame, begin, reference->shade(spheres, part));
+    for (std::size_t i = 0; i < question.exponentiation.size(); ++i) {
+      reference->setExponentiation(question.exponentiation[i]);
+      place(answers.exponentiation[i], begin, reference->shadeByExponentiation(spheres, part));
+    }
   });
   for (const TransferQuestion& transfer : question.transfer) {
     const auto reference = makeReferenceEngine(nullptr);

@@ -15,10 +15,12 @@ struct NamedKind {
   const char* name;
   InjectionKind kind;
 };
-constexpr std::array namedKinds{
-    NamedKind{"sphere", InjectionKind::sphere}, NamedKind{"bit", InjectionKind::bit},
-    NamedKind{"coefficient", InjectionKind::coefficient}, NamedKind{"ulp", InjectionKind::ulp},
-    NamedKind{"transfer", InjectionKind::transfer}};
+constexpr std::array namedKinds{NamedKind{"sphere", InjectionKind::sphere},
+                                NamedKind{"bit", InjectionKind::bit},
+                                NamedKind{"coefficient", InjectionKind::coefficient},
+                                NamedKind{"ulp", InjectionKind::ulp},
+                                NamedKind{"exponentiation", InjectionKind::exponentiation},
+                                NamedKind{"transfer", InjectionKind::transfer}};
 
 float nextUp(float value) {
   return std::nextafter(value, std::numeric_limits<float>::infinity());
@@ -29,7 +31,8 @@ float nextUp(float value) {
 InjectionKind injectionKind(const std::string& name) {
   for (const NamedKind& named : namedKinds)
     if (name == named.name) return named.kind;
-  throw InputError("unknown fault '" + name + "': use sphere, bit, coefficient, ulp or transfer");
+  throw InputError("unknown fault '" + name +
+                   "': use sphere, bit, coefficient, ulp, exponentiation or transfer");
 }
 
 std::string nameOf(InjectionKind kind) {
@@ -97,6 +100,14 @@ std::vector<glm::vec4> FaultyEngine::tripleProduct(std::span<const OcclusionHaar
 std::vector<glm::vec4> FaultyEngine::shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                            StageTimes* times) {
   return engine_->shade(spheres, receivers, times);
+}
+
+std::vector<glm::vec4> FaultyEngine::shadeByExponentiation(std::span<const Sphere> spheres,
+                                                           ReceiverSpan receivers,
+                                                           StageTimes* times) {
+  auto radiance = engine_->shadeByExponentiation(spheres, receivers, times);
+  if (kind_ == InjectionKind::exponentiation && !radiance.empty()) moveByOneUlp(radiance);
+  return radiance;
 }
 
 std::vector<glm::vec4> FaultyEngine::shadeByTransfer(const TransferReceivers& receivers,

@@ -21,6 +21,8 @@ enum class InjectionKind {
   coefficient,
   /// One channel of a radiance is moved to the next float32 number.
   ulp,
+  /// The same, of a radiance by exponentiation.
+  exponentiation,
   /// The same, of a radiance by transfer.
   transfer
 };
@@ -30,7 +32,8 @@ struct Injection {
   std::string engine;
 };
 
-/// "sphere", "bit", "coefficient", "ulp" or "transfer". Throws InputError for another word.
+/// "sphere", "bit", "coefficient", "ulp", "exponentiation" or "transfer". Throws InputError for
+/// another word.
 InjectionKind injectionKind(const std::string& name);
 std::string nameOf(InjectionKind kind);
 
@@ -61,6 +64,8 @@ class FaultyEngine final : public ForwardingEngine {
                                        std::span<const LobeBlend> lobes) override;
   std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                StageTimes* times) override;
+  std::vector<glm::vec4> shadeByExponentiation(std::span<const Sphere> spheres,
+                                               ReceiverSpan receivers, StageTimes* times) override;
   std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
                                          StageTimes* times) override;
 

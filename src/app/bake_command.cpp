@@ -96,6 +96,7 @@ std::string plyText(const TriangleMesh& mesh, const Image& radiance) {
 
 SceneDescription describe(const BakeOptions& options) {
   SceneDescription scene = describeScene(options.scene);
+  requireOrder(options.compareTo, scene.shading);
   if (!options.size.empty()) {
     if (!scene.receiver) throw InputError("--size needs a receiver plane in the scene");
     scene.receiver->samples = parseReceiverSize(options.size);

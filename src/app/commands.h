@@ -7,6 +7,7 @@ namespace haarlight {
 /// Each adds its subcommand, with options and what it runs, to the command line.
 void addBakeCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
+void addCompareCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addFitCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);

@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(28);
   app.footer("`haarlight COMMAND --help` explains a command. Try: haarlight render -o picture.png");
   haarlight::addRenderCommand(app);
+  haarlight::addCompareCommand(app);
   haarlight::addBakeCommand(app);
   haarlight::addFitCommand(app);
   haarlight::addPrtCommand(app);

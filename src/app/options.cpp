@@ -145,6 +145,16 @@ void addSceneContentOptions(CLI::App& command, SceneOptions& options) {
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addSceneContentOptions(command, options);
+  addShadingOptions(command, options);
+  const TextOptions text{command};
+  text("--method", options.method,
+       "haar, pixel (all texels), pixel-mesh (rays), shexp (spherical harmonics) or sh "
+       "(precomputed transfer) [haar]",
+       "Computation")
+      ->check(CLI::IsMember(namesOf(shadingMethodNames)));
+}
+
+void addShadingOptions(CLI::App& command, SceneOptions& options) {
   const TextOptions text{command};
   command.add_option("--spheres", options.spheres, "Spheres fitted to each object [64]")
       ->group("Scene")
@@ -153,10 +163,6 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
        "Of that fit: least error of the shadow, or cover (every point in a sphere) [shadow]",
        "Scene")
       ->check(CLI::IsMember(namesOf(fitObjectiveNames)));
-  text("--method", options.method,
-       "haar, pixel (all texels), pixel-mesh (rays) or sh (precomputed transfer) [haar]",
-       "Computation")
-      ->check(CLI::IsMember(namesOf(shadingMethodNames)));
   command.add_option("--terms", options.terms, "Light wavelets kept, 0 to 6144 [200]")
       ->group("Computation")
       ->check(CLI::Range(0, maximumTerms));
@@ -165,7 +171,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
       ->check(CLI::Range(1, 2));
   command
       .add_option("--order", options.order,
-                  "Bands of spherical harmonics of sh, 1 to 20 [5, or the files']")
+                  "Bands of spherical harmonics: of shexp, 4 to 6 [4]; of sh, 1 to 20 [5, or the "
+                  "files']")
       ->group("Computation")
       ->check(CLI::Range(1, maximumTransferOrder));
   text("--per", options.per,
@@ -190,6 +197,19 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
        "Computation");
 }
 
+int shexpOrder(const ShadingDescription& shading) {
+  constexpr int smallest = 4, largest = 6;
+  const int order = shading.order.value_or(smallest);
+  if (order < smallest || order > largest)
+    throw InputError(fmt::format("the method shexp takes an order from {} to {}, not {}", smallest,
+                                 largest, order));
+  return order;
+}
+
+void requireOrder(const std::vector<std::string>& methods, const ShadingDescription& shading) {
+  if (std::ranges::count(methods, "shexp") > 0) shexpOrder(shading);
+}
+
 SceneDescription describeScene(const SceneOptions& options) {
   if (!options.scene.empty() && !options.mesh.empty())
     throw InputError("give a scene or --mesh, not both");
@@ -207,6 +227,7 @@ SceneDescription describeScene(const SceneOptions& options) {
   if (!options.objective.empty())
     for (ObjectDescription& object : scene.objects)
       object.objective = choiceOf(fitObjectiveNames, options.objective);
+  if (scene.shading.method == ShadingMethod::Shexp) shexpOrder(scene.shading);
   if (!options.device.empty() && scene.shading.engine == EngineChoice::Reference)
     throw InputError(
         "--device is for the engines opencl and cuda, not for reference; leave one of them out");

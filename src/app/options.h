@@ -53,6 +53,16 @@ void addSceneOptions(CLI::App& command, SceneOptions& options);
 /// Those of them that say what is in the scene, but for its spheres.
 void addSceneContentOptions(CLI::App& command, SceneOptions& options);
 
+/// Those that say how it is shaded, but for the method.
+void addShadingOptions(CLI::App& command, SceneOptions& options);
+
+/// Bands of visibility of the method shexp. Throws InputError when it does not have the order asked
+/// for.
+int shexpOrder(const ShadingDescription& shading);
+
+/// Throws InputError when one of these methods does not have the order asked for.
+void requireOrder(const std::vector<std::string>& methods, const ShadingDescription& shading);
+
 /// The scene that the options ask for; without a scene and a mesh the built-in default. Throws
 /// InputError.
 SceneDescription describeScene(const SceneOptions& options);

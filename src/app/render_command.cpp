@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 
 #include "app/commands.h"
 #include "app/frame_rate.h"
 #include "app/picture_file.h"
+#include "app/picture_options.h"
 #include "app/render_frames.h"
 #include "app/shading_setup.h"
 #include "base/error.h"
@@ -15,6 +15,7 @@
 #include "image/contact_sheet.h"
 #include "image/tonemap.h"
 #include "render/render_image.h"
+#include "report/method_sheet.h"
 #include "scene/keyframes.h"
 #include "scene/names.h"
 
@@ -26,9 +27,7 @@ struct RenderOptions {
   GeneralOptions general;
   SceneOptions scene;
   std::vector<std::string> outputs;
-  std::string size;
-  std::optional<int> samples;
-  std::string exposure;
+  PictureOptions picture;
   std::vector<std::string> compareTo;
   std::string sheet;
   bool frameRate = false;
@@ -37,30 +36,10 @@ struct RenderOptions {
   bool resume = false;
 };
 
-void applyExposure(const std::string& text, ImageDescription& image) {
-  if (text.empty()) return;
-  image.exposure.reset();
-  if (text == "auto") return;
-  std::size_t used = 0;
-  try {
-    image.exposure = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (used != text.size() || !(std::abs(*image.exposure) <= 32))
-    throw InputError("--exposure takes a number of stops from -32 to 32 or auto, not '" + text +
-                     "'");
-}
-
 SceneDescription describe(const RenderOptions& options) {
   SceneDescription scene = describeScene(options.scene);
-  if (!options.size.empty()) {
-    const glm::ivec2 size = parseSize(options.size, "--size");
-    scene.image.width = size.x;
-    scene.image.height = size.y;
-  }
-  if (options.samples) scene.image.samplesPerPixel = *options.samples;
-  applyExposure(options.exposure, scene.image);
+  requireOrder(options.compareTo, scene.shading);
+  applyPictureOptions(options.picture, scene.image);
   if (options.framesPerSecond) scene.animation.framesPerSecond = *options.framesPerSecond;
   return scene;
 }
@@ -104,9 +83,6 @@ std::vector<Comparison> renderComparisons(ShadingSetup& setup, const ScreenSampl
   return comparisons;
 }
 
-/// Absolute errors are shown this many times as bright.
-constexpr int errorScale = 4;
-
 /// The pictures side by side, and under every other one the first one's error against it.
 Image comparisonSheet(const RenderedImage& picture, const std::string& methodName, float stops,
                       const std::vector<Comparison>& comparisons) {
@@ -115,10 +91,10 @@ Image comparisonSheet(const RenderedImage& picture, const std::string& methodNam
   std::vector<Image> others, errors;
   for (const Comparison& other : comparisons) {
     others.push_back(tonemap(other.picture.radiance, stops));
-    errors.push_back(differenceImage(exposed, others.back(), errorScale));
+    errors.push_back(differenceImage(exposed, others.back(), shownErrorScale));
   }
   std::vector<LabelledImage> upper{{methodName, exposed}};
-  std::vector<LabelledImage> lower{{fmt::format("error x {}:", errorScale), empty}};
+  std::vector<LabelledImage> lower{{fmt::format("error x {}:", shownErrorScale), empty}};
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     const ImageError error =
         compareImages(picture.radiance, comparisons[i].picture.radiance, picture.surfaceMask);
@@ -225,12 +201,7 @@ void addRenderCommand(CLI::App& app) {
       ->allow_extra_args(false)
       ->required()
       ->group("Output");
-  command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels [960x540]")->group("Output");
-  command->add_option("--samples", options->samples, "Camera rays per pixel [4]")
-      ->group("Computation")
-      ->check(CLI::Range(1, 4096));
-  command->add_option("--exposure", options->exposure, "Stops, or auto, for PNG [auto]")
-      ->group("Output");
+  addPictureOptions(*command, options->picture, "960x540");
   command
       ->add_flag("--frame-rate", options->frameRate,
                  "Also measure frames per second of the receiver plane's samples")

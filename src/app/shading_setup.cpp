@@ -44,7 +44,7 @@ void ShadingSetup::requireStillObjects() const {
   for (std::size_t i = 0; i < scene().objects.size(); ++i)
     if (moving_.objects()[i].moves())
       throw InputError("object '" + scene().objects[i].name +
-                       "' moves, and transfer is for one pose: use --method haar");
+                       "' moves, and transfer is for one pose: use --method haar or shexp");
 }
 
 std::shared_ptr<const SceneTransfer> ShadingSetup::transfer() {
@@ -70,6 +70,9 @@ std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
     engine_ = openEngine(options_, description_, table_, console_);
     engine_->setSphereBinding(moving_.binding());
   }
+  if (which == ShadingMethod::Shexp)
+    return makeShexpMethod(scene(), engine_, shexpOrder(description_.shading), typicalSamples,
+                           anyNormal);
   if (which == ShadingMethod::Sh)
     return makeTransferMethod(scene(), engine_, transfer(), description_.shading.per);
   ShadingSettings settings;
@@ -97,6 +100,7 @@ nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const
     summary["terms"] = description_.shading.terms;
     summary["levels"] = description_.shading.levels;
   }
+  if (method.name() == "shexp") summary["order"] = shexpOrder(description_.shading);
   if (method.name() == "sh") {
     summary["order"] = transfer_->rows.order;
     summary["per"] = nameOf(shadedPerNames, description_.shading.per);
@@ -123,6 +127,7 @@ ImageAttributes ShadingSetup::attributes(const RadianceMethod& method) const {
     attributes["terms"] = description_.shading.terms;
     attributes["levels"] = description_.shading.levels;
   }
+  if (method.name() == "shexp") attributes["order"] = shexpOrder(description_.shading);
   if (method.name() == "sh") {
     attributes["order"] = transfer_->rows.order;
     attributes["per"] = nameOf(shadedPerNames, description_.shading.per);

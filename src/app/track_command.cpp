@@ -37,9 +37,10 @@ SceneDescription describe(const TrackOptions& options) {
   if (!scene.receiver) throw InputError("--compare-to needs a receiver plane in the scene");
   const ShadingMethod method = scene.shading.method;
   if (method == ShadingMethod::PixelMesh)
-    throw InputError("--compare-to compares the method haar or pixel, not pixel-mesh with itself");
+    throw InputError(
+        "--compare-to compares the method haar, pixel or shexp, not pixel-mesh with itself");
   if (method == ShadingMethod::Sh)
-    throw InputError("--compare-to compares the method haar or pixel, not sh: objects move");
+    throw InputError("--compare-to compares the method haar, pixel or shexp, not sh: objects move");
   return scene;
 }
 
@@ -49,9 +50,11 @@ MethodMaker methodMaker(const TrackOptions& options, const SceneDescription& sce
   return [&](const Scene& loaded, std::span<const SurfaceSample> samples) {
     const auto table = openSphereTable(scene, console);
     if (scene.shading.method == ShadingMethod::Pixel) return makePixelMethod(loaded, table);
+    const auto engine = openEngine(options.scene, scene, table, console);
+    if (scene.shading.method == ShadingMethod::Shexp)
+      return makeShexpMethod(loaded, engine, shexpOrder(scene.shading), samples, false);
     const ShadingSettings settings{.terms = scene.shading.terms, .levels = scene.shading.levels};
-    return makeHaarMethod(loaded, openEngine(options.scene, scene, table, console), settings,
-                          samples, false);
+    return makeHaarMethod(loaded, engine, settings, samples, false);
   };
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cube/bit_cube.h"
+#include "engine/exponentiation_tables.h"
 #include "engine/receivers.h"
 #include "engine/shading_tables.h"
 #include "engine/stage_times.h"
@@ -41,9 +42,10 @@ struct DeviceUse {
 /// triple product: occlusion, light, lobes → radiance
 ///
 /// shade() runs all three without anything leaving the device in between, as three kernels or fused
-/// into one. shadeByTransfer() shades vertices whose light was precomputed instead. The other calls
-/// run single steps and bring their results back, so that engines can be compared stage by stage
-/// (verify/). All engines give the same bits (docs/numerics.md).
+/// into one. shadeByExponentiation() shades the same samples by spherical harmonics instead, and
+/// shadeByTransfer() vertices whose light was precomputed. The other calls run single steps and
+/// bring their results back, so that engines can be compared stage by stage (verify/). All engines
+/// give the same bits (docs/numerics.md).
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -88,6 +90,15 @@ class Engine {
   /// Radiance (RGB, 0) of white receivers: multiply by the albedo.
   virtual std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                        StageTimes* times = nullptr) = 0;
+
+  /// Sets order, light and lobes for the following shadeByExponentiation() calls.
+  virtual void setExponentiation(const ExponentiationTables& tables) = 0;
+
+  /// Radiance (RGB, 0) of white receivers whose visibility past all spheres is a function of low
+  /// order, by spherical-harmonic exponentiation.
+  virtual std::vector<glm::vec4> shadeByExponentiation(std::span<const Sphere> spheres,
+                                                       ReceiverSpan receivers,
+                                                       StageTimes* times = nullptr) = 0;
 
   /// Sets the rows of transfer of the following shadeByTransfer() calls, and the lights, which may
   /// change while the rows stay.

@@ -44,6 +44,13 @@ class ForwardingEngine : public Engine {
                                StageTimes* times) override {
     return engine_->shade(spheres, receivers, times);
   }
+  void setExponentiation(const ExponentiationTables& tables) override {
+    engine_->setExponentiation(tables);
+  }
+  std::vector<glm::vec4> shadeByExponentiation(std::span<const Sphere> spheres,
+                                               ReceiverSpan receivers, StageTimes* times) override {
+    return engine_->shadeByExponentiation(spheres, receivers, times);
+  }
   void setTransferRows(const TransferRows& rows) override { engine_->setTransferRows(rows); }
   void setTransferLights(const TransferLights& lights) override {
     engine_->setTransferLights(lights);

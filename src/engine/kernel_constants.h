@@ -3,6 +3,7 @@
 /// The constants that kernels share with the host, by the names kernels know them by. OpenCL gets
 /// them as #defines before its source, CUDA as constexpr values.
 
+#include "engine/exponentiation_tables.h"
 #include "engine/kernel_device.h"
 #include "engine/shading_tables.h"
 #include "haar/occlusion_transform.h"
@@ -23,5 +24,9 @@
   CONSTANT(BLOCKS_PER_SIDE, haarlight::blocksPerSide)                  \
   CONSTANT(TILE_SAMPLES, haarlight::tileSamples)                       \
   CONSTANT(TEXEL_WEIGHTS, haarlight::texelWeightCount)                 \
-  CONSTANT(ABSENT_SQUARE, haarlight::ShadingTables::absentSquare)
+  CONSTANT(ABSENT_SQUARE, haarlight::ShadingTables::absentSquare)      \
+  CONSTANT(SHEXP_BANDS, haarlight::largestShexpOrder)                  \
+  CONSTANT(LOGARITHM_ROWS, haarlight::ShexpTables::logarithmRows)      \
+  CONSTANT(LINEAR_ROWS, haarlight::ShexpTables::linearRows)            \
+  CONSTANT(LIGHT_LOBE_ROW, haarlight::ExponentiationTables::rowSize)
 // clang-format on

@@ -5,6 +5,7 @@
 #include "base/canonical_order.h"
 #include "base/stopwatch.h"
 #include "engine/steps/bound_spheres.h"
+#include "engine/steps/exponentiation_path.h"
 #include "engine/steps/fused_path.h"
 #include "engine/steps/staged_path.h"
 #include "engine/steps/transfer_path.h"
@@ -48,12 +49,20 @@ class KernelEngine final : public Engine {
   void setFramePath(FramePath path) override { path_ = path; }
   std::vector<glm::vec4> shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                StageTimes* times) override;
+  void setExponentiation(const ExponentiationTables& tables) override;
+  std::vector<glm::vec4> shadeByExponentiation(std::span<const Sphere> spheres,
+                                               ReceiverSpan receivers, StageTimes* times) override {
+    return shadeInBatches(exponentiation_, spheres, receivers, times);
+  }
   void setTransferRows(const TransferRows& rows) override { transfer_.setRows(rows); }
   void setTransferLights(const TransferLights& lights) override { transfer_.setLights(lights); }
   std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
                                          StageTimes* times) override;
 
  private:
+  template <typename Path>
+  std::vector<glm::vec4> shadeInBatches(Path& path, std::span<const Sphere> spheres,
+                                        ReceiverSpan receivers, StageTimes* times);
   void warmUp();
 
   KernelQueue queue_;
@@ -62,6 +71,7 @@ class KernelEngine final : public Engine {
   BoundSpheres boundSpheres_{queue_};
   StagedPath staged_{queue_, frame_, shading_};
   FusedPath fused_{queue_, frame_, shading_};
+  ExponentiationPath exponentiation_{queue_, frame_};
   TransferPath transfer_{queue_};
   FramePath path_;
   double preparationSeconds_ = 0;
@@ -105,20 +115,33 @@ void KernelEngine::setShading(const ShadingTables& tables) {
   fused_.shadingChanged();
 }
 
+/// Its kernel, too, runs once when it is first known that somebody wants it.
+void KernelEngine::setExponentiation(const ExponentiationTables& tables) {
+  const bool isFirst = !exponentiation_.isSet();
+  exponentiation_.set(tables);
+  if (!isFirst) return;
+  Receivers receivers;
+  receivers.add({0, 0, 0}, {0, 1, 0});
+  shadeByExponentiation({}, receivers, nullptr);
+}
+
 std::vector<glm::vec4> KernelEngine::shade(std::span<const Sphere> spheres, ReceiverSpan receivers,
                                            StageTimes* times) {
+  return path_ == FramePath::fused ? shadeInBatches(fused_, spheres, receivers, times)
+                                   : shadeInBatches(staged_, spheres, receivers, times);
+}
+
+template <typename Path>
+std::vector<glm::vec4> KernelEngine::shadeInBatches(Path& path, std::span<const Sphere> spheres,
+                                                    ReceiverSpan receivers, StageTimes* times) {
   StageTimes ignored;
   StageTimes& stages = times ? *times : ignored;
   const Stopwatch watch;
   frame_.uploadSpheres(spheres);
   std::vector<glm::vec4> radiance(receivers.size());
-  const bool fused = path_ == FramePath::fused;
-  const std::size_t batch = fused ? fused_.batchSize() : staged_.batchSize();
-  for (std::size_t first = 0; first < receivers.size(); first += batch) {
-    const std::size_t count = std::min(batch, receivers.size() - first);
-    const auto part = receivers.part(first, count);
-    const auto out = std::span(radiance).subspan(first, count);
-    fused ? fused_.shade(part, out, stages) : staged_.shade(part, out, stages);
+  for (std::size_t first = 0; first < receivers.size(); first += path.batchSize()) {
+    const std::size_t count = std::min(path.batchSize(), receivers.size() - first);
+    path.shade(receivers.part(first, count), std::span(radiance).subspan(first, count), stages);
   }
   stages.total += watch.total();
   return radiance;

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "engine/light_selection.h"
+#include "engine/lobe_slots.h"
 #include "haar/occlusion_transform.h"
 
 namespace haarlight {
@@ -25,14 +26,6 @@ LightHaar transformLight(const RadianceCube& light) {
   return haarForwardCube<glm::dvec3, double>(texels);
 }
 
-/// The lobes that occur among the receivers, in the order of their slots.
-std::vector<int> usedLobes(std::span<const double> importance) {
-  std::vector<int> used;
-  for (int lobe = 0; lobe < lobeCount; ++lobe)
-    if (importance[lobe] > 0) used.push_back(lobe);
-  return used;
-}
-
 /// Some lobes at a time are in memory: all of them take 42 MB.
 MeanLobe meanOf(std::span<const int> lobes, std::span<const double> importance) {
   constexpr std::size_t block = 64;
@@ -46,12 +39,6 @@ MeanLobe meanOf(std::span<const int> lobes, std::span<const double> importance) 
     for (std::size_t i = 0; i < count; ++i) mean.add(transformed[i], importance[lobes[first + i]]);
   }
   return mean;
-}
-
-std::vector<std::uint32_t> assignSlots(std::span<const int> lobes) {
-  std::vector<std::uint32_t> slots(lobeCount, std::uint32_t(lobes.size()));
-  for (std::size_t slot = 0; slot < lobes.size(); ++slot) slots[lobes[slot]] = std::uint32_t(slot);
-  return slots;
 }
 
 /// Block of the sample that holds a square of level 3 or 4, and the square's quarter of it.

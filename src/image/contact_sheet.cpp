@@ -54,23 +54,44 @@ void copyImage(const Image& source, Image& target, glm::ivec2 position) {
     std::copy_n(&source.at(0, y), source.width, &target.at(position.x, position.y + y));
 }
 
-}  // namespace
-
-Image contactSheet(const std::vector<LabelledImage>& pictures, int gap) {
-  int width = gap, height = 0;
-  for (const LabelledImage& picture : pictures) {
-    width += std::max(picture.image.width, textWidth(picture.label)) + gap;
-    height = std::max(height, picture.image.height);
+std::vector<int> columnWidths(const std::vector<std::vector<LabelledImage>>& rows) {
+  std::vector<int> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max({widths[i], row[i].image.width, textWidth(row[i].label)});
   }
+  return widths;
+}
+
+Image gridRow(const std::vector<LabelledImage>& pictures, const std::vector<int>& widths, int gap) {
+  int width = gap, height = 0;
+  for (const int column : widths) width += column + gap;
+  for (const LabelledImage& picture : pictures) height = std::max(height, picture.image.height);
   Image sheet(width, height + lineHeight + 2 * gap);
   fillRectangle(sheet, {0, 0}, {sheet.width, sheet.height}, sheetBackground);
   int x = gap;
-  for (const LabelledImage& picture : pictures) {
-    drawText(sheet, {x, gap}, picture.label);
-    copyImage(picture.image, sheet, {x, gap + lineHeight});
-    x += std::max(picture.image.width, textWidth(picture.label)) + gap;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    drawText(sheet, {x, gap}, pictures[i].label);
+    copyImage(pictures[i].image, sheet, {x, gap + lineHeight});
+    x += widths[i] + gap;
   }
   return sheet;
+}
+
+}  // namespace
+
+Image contactSheet(const std::vector<LabelledImage>& pictures, int gap) {
+  return contactGrid({pictures}, gap);
+}
+
+Image contactGrid(const std::vector<std::vector<LabelledImage>>& rows, int gap) {
+  const std::vector<int> widths = columnWidths(rows);
+  Image grid;
+  for (const auto& row : rows)
+    grid =
+        grid.height == 0 ? gridRow(row, widths, gap) : stackSheets(grid, gridRow(row, widths, gap));
+  return grid;
 }
 
 Image stackSheets(const Image& upper, const Image& lower) {

@@ -21,6 +21,9 @@ struct LabelledImage {
 /// changed (expose them by tonemap first).
 Image contactSheet(const std::vector<LabelledImage>& pictures, int gap = 12);
 
+/// Several such rows below each other, columns aligned.
+Image contactGrid(const std::vector<std::vector<LabelledImage>>& rows, int gap = 12);
+
 /// One sheet below another, at the left; the narrower one is filled up with dark grey.
 Image stackSheets(const Image& upper, const Image& lower);
 

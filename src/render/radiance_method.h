@@ -17,7 +17,7 @@ class RadianceMethod {
  public:
   virtual ~RadianceMethod() = default;
 
-  /// "haar", "pixel", "pixel-mesh", "pixel-rays" or "sh".
+  /// "haar", "pixel", "pixel-mesh", "pixel-rays", "shexp" or "sh".
   virtual std::string name() const = 0;
   /// What computes it, in words.
   virtual std::string deviceName() const = 0;
@@ -35,7 +35,8 @@ class RadianceMethod {
   /// Radiance (albedo included) of every sample.
   virtual std::vector<glm::vec3> radiance(std::span<const SurfaceSample> samples) = 0;
 
-  /// Seconds of all calls so far; only `haar` and `sh` know their stages, the others their total.
+  /// Seconds of all calls so far; only `haar`, `shexp` and `sh` know their stages, the others their
+  /// total.
   const StageTimes& times() const { return times_; }
 
  protected:
@@ -50,6 +51,13 @@ std::unique_ptr<RadianceMethod> makeHaarMethod(const Scene& scene, std::shared_p
                                                const ShadingSettings& settings,
                                                std::span<const SurfaceSample> typicalSamples,
                                                bool anyNormal);
+
+/// Spherical-harmonic exponentiation on an engine: the spheres' visibility as one function of
+/// `order` bands (engine/exponentiation_tables.h). The rest is as for makeHaarMethod.
+std::unique_ptr<RadianceMethod> makeShexpMethod(const Scene& scene, std::shared_ptr<Engine> engine,
+                                                int order,
+                                                std::span<const SurfaceSample> typicalSamples,
+                                                bool anyNormal);
 
 /// Precomputed diffuse transfer on an engine. Objects and receiver stay where they are: only the
 /// light of the scene may change. Backs of surfaces, of which no transfer is known, are black.

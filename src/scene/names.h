@@ -30,10 +30,11 @@ inline constexpr std::array<Named<Rest>, 2> restNames{{
 inline constexpr std::array<std::string_view, 5> lightLayouts{"auto", "latlong", "vcross", "hcross",
                                                               "angular"};
 
-inline constexpr std::array<Named<ShadingMethod>, 4> shadingMethodNames{{
+inline constexpr std::array<Named<ShadingMethod>, 5> shadingMethodNames{{
     {"haar", ShadingMethod::Haar},
     {"pixel", ShadingMethod::Pixel},
     {"pixel-mesh", ShadingMethod::PixelMesh},
+    {"shexp", ShadingMethod::Shexp},
     {"sh", ShadingMethod::Sh},
 }};
 

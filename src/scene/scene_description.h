@@ -132,9 +132,10 @@ struct ImageDescription {
 };
 
 /// Haar: triple products of wavelet coefficients. Pixel: sum over the texels of the cube, blocked
-/// by the spheres. PixelMesh: the same, blocked by the meshes (the reference image). Sh: diffuse
-/// transfer of meshes that stand still, precomputed in spherical harmonics.
-enum class ShadingMethod { Haar, Pixel, PixelMesh, Sh };
+/// by the spheres. PixelMesh: the same, blocked by the meshes (the reference image). Shexp: the
+/// spheres' visibility in spherical harmonics. Sh: diffuse transfer of meshes that stand still,
+/// precomputed in spherical harmonics.
+enum class ShadingMethod { Haar, Pixel, PixelMesh, Shexp, Sh };
 
 /// Where the method sh multiplies light by transfer: at vertices, between which radiance is
 /// interpolated, or at pixels, for which transfer is interpolated.
@@ -150,7 +151,8 @@ struct ShadingDescription {
   int terms = 200;
   /// 1: visibility coefficients down to squares of 4x4 texels; 2: down to the texel.
   int levels = 2;
-  /// Bands of spherical harmonics; nothing: what the method takes when not told.
+  /// Bands of spherical harmonics of the methods shexp and sh; nothing: what the method takes when
+  /// not told.
   std::optional<int> order;
   ShadedPer per = ShadedPer::vertex;
   /// How the spheres' visibility is found, for the methods haar and pixel.

@@ -7,7 +7,6 @@
 #include "base/canonical_order.h"
 #include "sh/basis.h"
 #include "shexp/float_functions.h"
-#include "visibility/sphere_binding.h"
 
 namespace haarlight {
 
@@ -29,21 +28,31 @@ float interpolate(float fraction, float a, float b) {
   return std::fma(fraction, b - a, a);
 }
 
+/// √x within 2e-7 relative for x ≥ 0 that are not denormal.
+float rootOf(float x) {
+  return x * inverseSquareRoot(x);
+}
+
 /// A sphere as a sample sees it: unit direction, and the cosine of its angular radius.
 struct SphereView {
   glm::vec3 direction;
   float cosine;
 };
 
+/// Far spheres are seen at a smaller scale, so that no square overflows.
 SphereView viewSphere(const Sphere& sphere, const glm::vec3& position, const glm::vec3& normal) {
+  const auto squareOf = [](const glm::vec3& v) {
+    return std::fma(v.z, v.z, std::fma(v.y, v.y, v.x * v.x));
+  };
   const glm::vec3 d = sphere.center - position;
-  const float inverse = inverseSquareRoot(std::fma(d.z, d.z, std::fma(d.y, d.y, d.x * d.x)));
-  const glm::vec3 v = d * inverse;
-  const float ratio = sphere.radius * inverse;
-  const float height = std::fma(v.z, normal.z, std::fma(v.y, normal.y, v.x * normal.x));
+  const float scale = squareOf(d) > 0x1p120f ? 0x1p-64f : 1.0f;
+  const glm::vec3 scaled = d * scale;
+  const float inverse = inverseSquareRoot(squareOf(scaled));
+  const float ratio = sphere.radius * scale * inverse;
+  const float height = ((d.x * normal.x + d.y * normal.y) + d.z * normal.z) * scale * inverse;
   const float below = 4.0f * std::min(height, 0.0f);
-  const float squared = std::max(std::fma(-ratio, ratio, 1.0f), below * below);
-  return {v, squareRoot(std::min(squared, 1.0f))};
+  const float squared = std::min(std::max(std::fma(-ratio, ratio, 1.0f), below * below), 1.0f);
+  return {scaled * inverse, rootOf(squared)};
 }
 
 using ZonalFactors = std::array<float, largestShexpOrder>;
@@ -61,12 +70,12 @@ ZonalFactors logarithmFactors(const ShexpTables& tables, float cosine) {
 /// Adds factors[l] · y_lm(direction) for one m ≥ 0 and for −m; (cosine, sine) = s^m (cos, sin) mφ.
 void addColumn(const ShexpTables& tables, const ZonalFactors& factors, int m, float z, float cosine,
                float sine, ShexpVector& sum) {
-  float previous = 0, current = tables.diagonal[m];
+  float previous = 0, current = tables.constants.diagonal[m];
   for (int l = m; l < tables.order; ++l) {
     if (l > m) {
       const int entry = l * (l + 1) / 2 + m;
-      const float next =
-          std::fma(tables.first[entry] * z, current, -(tables.second[entry] * previous));
+      const float next = std::fma(tables.constants.first[entry] * z, current,
+                                  -(tables.constants.second[entry] * previous));
       previous = current;
       current = next;
     }
@@ -116,20 +125,25 @@ ShexpVector shexpSquare(const ShexpTables& tables, const ShexpVector& g) {
   return result;
 }
 
-ShexpVector shexpExponential(const ShexpTables& tables, const ShexpVector& f) {
+ShexpVector shexpVisibility(const ShexpTables& tables, std::span<const Sphere> spheres,
+                            const glm::vec3& samplePosition, const glm::vec3& sampleNormal) {
+  return shexpExponential(tables, sphereLogarithms(tables, spheres, samplePosition, sampleNormal),
+                          tables.mostHalvings(spheres.size()));
+}
+
+ShexpVector shexpExponential(const ShexpTables& tables, const ShexpVector& f, int mostHalvings) {
   constexpr float constant = 0.28209479f;  // y_00
-  constexpr int mostHalvings = 24;
   const int count = shCoefficientCount(tables.order);
   float squares = 0;
   for (int i = 1; i < count; ++i) squares = std::fma(f[i], f[i], squares);
   float scale = 1;
   int halvings = 0;
-  for (; halvings < mostHalvings && squares > tables.linearLimit * tables.linearLimit; ++halvings) {
+  for (; halvings < mostHalvings && squares > tables.constants.limitSquared; ++halvings) {
     squares *= 0.25f;
     scale *= 0.5f;
   }
   const TablePlace place =
-      placeInTable(squareRoot(squares) * tables.linearScale, ShexpTables::linearRows);
+      placeInTable(rootOf(squares) * tables.constants.linearScale, ShexpTables::linearRows);
   const glm::vec2 low = tables.linear[place.row], high = tables.linear[place.row + 1];
   const float mean = exponential(f[0] * constant * scale);
   const float factor = interpolate(place.fraction, low.y, high.y) * scale * mean;

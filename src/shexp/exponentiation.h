@@ -39,10 +39,15 @@ void addSphereLogarithm(const ShexpTables& tables, const Sphere& sphere,
 ShexpVector sphereLogarithms(const ShexpTables& tables, std::span<const Sphere> spheres,
                              const glm::vec3& samplePosition, const glm::vec3& sampleNormal);
 
+/// Visibility past all spheres: exp of that sum.
+ShexpVector shexpVisibility(const ShexpTables& tables, std::span<const Sphere> spheres,
+                            const glm::vec3& samplePosition, const glm::vec3& sampleNormal);
+
 /// The square of a function, projected to its order.
 ShexpVector shexpSquare(const ShexpTables& tables, const ShexpVector& g);
 
-/// exp f.
-ShexpVector shexpExponential(const ShexpTables& tables, const ShexpVector& f);
+/// exp f. A function that `mostHalvings` leave above the limit is not halved further.
+ShexpVector shexpExponential(const ShexpTables& tables, const ShexpVector& f,
+                             int mostHalvings = 24);
 
 }  // namespace haarlight

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -45,18 +47,32 @@ MeanFree logarithmOfNorm(int order, double norm) {
 
 }  // namespace
 
-ShexpTables::ShexpTables(int shOrder, double limit)
-    : order(shOrder), linearLimit(float(limit)), linearScale(float(linearRows / limit)) {
+ShexpTables::ShexpTables(int shOrder, double limit) : order(shOrder) {
   if (order < smallestShexpOrder || order > largestShexpOrder)
     throw std::invalid_argument("spherical-harmonic exponentiation has an order of 2 to 6, not " +
                                 std::to_string(order));
-  if (!(limit > 0 && limit <= meanFreeLogarithm(order, 0).norm))
+  const double largestNorm = meanFreeLogarithm(order, 0).norm;
+  if (!(limit > 0 && limit <= largestNorm))
     throw std::invalid_argument(
         "the linear exponential needs a limit above 0 that a sphere reaches");
+  largestNorm_ = largestNorm / limit;
   tabulateLogarithms();
-  tabulateLinear();
+  tabulateLinear(limit);
   copyRecurrence();
   tabulateSquare();
+}
+
+const ShexpTables& ShexpTables::shared(int shOrder) {
+  static std::mutex mutex;
+  static std::map<int, ShexpTables> kept;
+  const std::lock_guard lock(mutex);
+  return kept.try_emplace(shOrder, shOrder).first->second;
+}
+
+int ShexpTables::mostHalvings(std::size_t spheres) const {
+  int halvings = 0;
+  for (double norm = double(spheres) * largestNorm_; norm > 1; norm /= 2) ++halvings;
+  return halvings;
 }
 
 void ShexpTables::tabulateLogarithms() {
@@ -66,12 +82,14 @@ void ShexpTables::tabulateLogarithms() {
   }
 }
 
-void ShexpTables::tabulateLinear() {
+void ShexpTables::tabulateLinear(double limit) {
+  constants.limitSquared = float(limit) * float(limit);
+  constants.linearScale = float(linearRows / limit);
   // The a and b nearest to exp f in the least-squares sense; f and 1 are orthogonal. The one sphere
   // of a norm stands for whatever has this norm, as in the paper.
   linear.emplace_back(float(std::sqrt(4 * pi)), 1.0f);
   for (int row = 1; row <= linearRows; ++row) {
-    const MeanFree f = logarithmOfNorm(order, row * double(linearLimit) / linearRows);
+    const MeanFree f = logarithmOfNorm(order, row * double(float(limit)) / linearRows);
     const auto exact = zonalFunction(f.zonal, [](double x) { return std::exp(x); });
     double inner = 0;
     for (int l = 1; l < order; ++l) inner += exact[l] * f.zonal[l];
@@ -81,9 +99,12 @@ void ShexpTables::tabulateLinear() {
 
 void ShexpTables::copyRecurrence() {
   const auto& recurrence = legendreRecurrence<float>();
-  std::copy_n(recurrence.diagonal.begin(), diagonal.size(), diagonal.begin());
-  std::copy_n(recurrence.first.begin(), first.size(), first.begin());
-  std::copy_n(recurrence.second.begin(), second.size(), second.begin());
+  const auto copy = [](const auto& from, auto& to) {
+    std::copy_n(from.begin(), to.size(), to.begin());
+  };
+  copy(recurrence.diagonal, constants.diagonal);
+  copy(recurrence.first, constants.first);
+  copy(recurrence.second, constants.second);
 }
 
 void ShexpTables::tabulateSquare() {

@@ -19,6 +19,17 @@ struct ShexpSquareTerm {
 };
 static_assert(sizeof(ShexpSquareTerm) == 8);
 
+/// The numbers that are no table.
+struct ShexpConstants {
+  /// Recurrence of the basis, the beginning of sh/legendre_recurrence.h: entry l(l + 1)/2 + m.
+  std::array<float, largestShexpOrder> diagonal{};
+  std::array<float, largestShexpOrder*(largestShexpOrder + 1) / 2> first{}, second{};
+  /// Square of the norm up to which the exponential is taken for linear.
+  float limitSquared = 0;
+  /// Rows of `linear` per unit of the norm.
+  float linearScale = 0;
+};
+
 /// All that spherical-harmonic exponentiation reads, in flat arrays and single precision, as every
 /// engine reads it. Made in double.
 struct ShexpTables {
@@ -35,26 +46,32 @@ struct ShexpTables {
   /// the largest sphere's logarithm (about 6).
   explicit ShexpTables(int shOrder, double limit = defaultLinearLimit);
 
+  /// The tables of an order with the default limit, made at the first call and kept; any thread may
+  /// call.
+  static const ShexpTables& shared(int shOrder);
+
   int order;
   /// row · order + l holds √(4π/(2l + 1)) f_l, the factor of y_lm in a sphere's rotated logarithm.
   std::vector<float> logarithms;
-  /// exp f ≈ a + b f for a function without mean of norm row/16 · linearLimit: (√4π a, b).
+  /// exp f ≈ a + b f for a function without mean of norm row/16 of the limit: (√4π a, b).
   std::vector<glm::vec2> linear;
-  float linearLimit;
-  /// 16/linearLimit: rows per unit of the norm.
-  float linearScale;
-  /// Recurrence of the basis, the beginning of sh/legendre_recurrence.h: entry l(l + 1)/2 + m.
-  std::array<float, largestShexpOrder> diagonal{};
-  std::array<float, largestShexpOrder*(largestShexpOrder + 1) / 2> first{}, second{};
+  ShexpConstants constants;
   /// Coefficient k of a square is the sum of terms squareStarts[k] … squareStarts[k + 1] − 1.
   std::vector<std::uint32_t> squareStarts;
   std::vector<ShexpSquareTerm> squareTerms;
 
+  /// Halvings that bring the logarithm of so many spheres to the limit, wherever they are: no norm
+  /// exceeds the sum of theirs.
+  int mostHalvings(std::size_t spheres) const;
+
  private:
   void tabulateLogarithms();
-  void tabulateLinear();
+  void tabulateLinear(double limit);
   void copyRecurrence();
   void tabulateSquare();
+
+  /// Norm of the largest sphere's logarithm, in limits.
+  double largestNorm_;
 };
 
 }  // namespace haarlight

@@ -34,6 +34,17 @@ TEST_CASE("numbers out of range and no numbers are refused") {
        {"--exposure", "nan"},      {"--exposure", "1e9"},      {"--exposure", "bright"}});
 }
 
+TEST_CASE("orders that exponentiation does not have are refused before any work") {
+  const TemporaryFolder target;
+  for (const char* order : {"1", "3", "7", "20"})
+    for (const auto& [command, output] :
+         {std::pair("render", target / "x.png"), std::pair("bake", target / "x.exr")})
+      for (const char* option : {"--method", "--compare-to"})
+        checkRefused({command, "-o", output, option, "shexp", "--order", order, "--quiet"},
+                     "the method shexp takes an order from 4 to 6, not " + std::string(order));
+  CHECK(std::filesystem::is_empty(target.path()));
+}
+
 TEST_CASE("suns that stand nowhere are refused") {
   const Arguments clear{"render", "--light", "builtin:cie-clear", "--spheres", "8"};
   for (const char* sun : {"0", "0,", ",45", "0,45,3", "east,45", "nan,45", "0,nan", "0,-1", "0,91",

@@ -9,8 +9,9 @@ using namespace haarlight::test;
 
 namespace {
 
-const Arguments tiny{"--size", "32x18",    "--samples", "1",         "--spheres",
-                     "8",      "--engine", "reference", "--threads", "1"};
+const Arguments tinyOnAnyEngine{"--size",    "32x18", "--samples", "1",
+                                "--spheres", "8",     "--threads", "1"};
+const Arguments tiny = joined(tinyOnAnyEngine, {"--engine", "reference"});
 
 std::uint32_t bigEndian(const std::string& bytes, std::size_t at) {
   std::uint32_t number = 0;
@@ -96,6 +97,26 @@ TEST_CASE("every method renders, and is compared to another") {
   const double error = haar.at("comparison").at(0).at("rmse_relative_to_mean_percent");
   CHECK(error > 0);
   CHECK(error < 10);
+}
+
+TEST_CASE("exponentiation renders the same picture on every engine, near the exact one") {
+  const TemporaryFolder folder;
+  for (const std::string engine : {"reference", "auto", "cuda-host"}) {
+    CAPTURE(engine);
+    const auto picture = folder / (engine + ".exr");
+    const auto results = resultsOf(
+        joined({"render", "-o", picture, "--method", "shexp", "--order", "5", "--engine", engine,
+                "--light", "builtin:sky", "--compare-to", "shexp", "--compare-to", "pixel"},
+               tinyOnAnyEngine));
+    CHECK(results.at("method") == "shexp");
+    CHECK(results.at("order") == 5);
+    const auto comparisons = results.at("comparison");
+    CHECK(comparisons.at(0).at("rmse") == 0);
+    CHECK(comparisons.at(1).at("reference") == "pixel");
+    CHECK(comparisons.at(1).at("rmse_relative_to_mean_percent") > 0);
+    CHECK(comparisons.at(1).at("rmse_relative_to_mean_percent") < 5);
+    CHECK(readImage(picture).image.pixels == readImage(folder / "reference.exr").image.pixels);
+  }
 }
 
 TEST_CASE("the exposure of a PNG does not change the EXR") {

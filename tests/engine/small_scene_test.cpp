@@ -28,6 +28,17 @@ void checkMovedSpheres(Engine& engine) {
   CHECK(std::memcmp(moved.data(), expected.data(), expected.size() * sizeof expected[0]) == 0);
 }
 
+void checkExponentiation(Engine& engine, const TestScene& scene) {
+  const auto tables = buildExponentiationTables(scene.light, 5, countLobes(scene.receivers.lobes));
+  const auto reference = referenceEngine();
+  reference->setExponentiation(tables);
+  engine.setExponentiation(tables);
+  const auto expected = reference->shadeByExponentiation(scene.spheres, scene.receivers);
+  const auto radiance = engine.shadeByExponentiation(scene.spheres, scene.receivers);
+  REQUIRE(radiance.size() == expected.size());
+  CHECK(std::memcmp(radiance.data(), expected.data(), expected.size() * sizeof expected[0]) == 0);
+}
+
 /// With rows of one float4 a channel, and with more coefficients than lanes.
 void checkTransfer(Engine& engine) {
   const auto reference = referenceEngine();
@@ -66,6 +77,7 @@ void checkEveryKernel(VisibilityKind visibility, const KernelShape& shape) {
     const auto radiance = engine->shade(scene.spheres, scene.receivers);
     CHECK(std::memcmp(radiance.data(), expected.data(), expected.size() * sizeof expected[0]) == 0);
   }
+  if (visibility == VisibilityKind::exact) checkExponentiation(*engine, scene);  // has no table
 }
 
 void checkEveryKernel(std::initializer_list<KernelShape> shapes) {

@@ -41,6 +41,19 @@ TEST_CASE("every printable character fits the text buffer") {
   CHECK(contactSheet({}).height == 24 + 24);
 }
 
+TEST_CASE("columns of a grid are as wide as their widest picture or label") {
+  const Image small = randomImage(20, 10, 5), wide = randomImage(60, 12, 6);
+  const Image grid =
+      contactGrid({{{"a", small}, {"b", wide}}, {{"a long label", small}, {"c", small}}}, 10);
+  const int column = grid.width - 60 - 30;  // the first one's width
+  CHECK(column > 100);
+  CHECK(grid.height == (10 + 24 + 12 + 10) + (10 + 24 + 10 + 10));
+  CHECK(grid.at(10, 34) == small.at(0, 0));
+  CHECK(grid.at(20 + column, 34) == wide.at(0, 0));
+  CHECK(grid.at(10, 56 + 34) == small.at(0, 0));
+  CHECK(grid.at(20 + column, 56 + 34) == small.at(0, 0));
+}
+
 TEST_CASE("sheets are stacked and the narrower one is filled up") {
   const Image upper = randomImage(30, 10, 3), lower = randomImage(20, 5, 4);
   const Image sheet = stackSheets(upper, lower);

@@ -234,3 +234,21 @@ TEST_CASE("hundreds of spheres in front of each other stay finite") {
     }
   }
 }
+
+TEST_CASE("spheres never need more halvings than their number says") {
+  std::mt19937 random(7);
+  for (const int order : {4, 6}) {
+    const ShexpTables tables(order);
+    CHECK(tables.mostHalvings(0) == 0);
+    for (const int count : {1, 2, 33, 500}) {
+      // Hemispheres in one direction have the largest logarithm that there is.
+      const Sphere around = sphereAt(randomDirection(random), pi / 2);
+      const std::vector<Sphere> spheres(std::size_t(count), around);
+      const auto f = sphereLogarithms(tables, spheres, origin, noHorizon);
+      const int most = tables.mostHalvings(spheres.size());
+      CHECK(shexpExponential(tables, f, most) == shexpExponential(tables, f));
+      CHECK(shexpExponential(tables, f, most - 1) != shexpExponential(tables, f));
+      CHECK(shexpVisibility(tables, spheres, origin, noHorizon) == shexpExponential(tables, f));
+    }
+  }
+}

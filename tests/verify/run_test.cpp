@@ -48,8 +48,9 @@ TEST_CASE("reference, CUDA kernels and known answers agree") {
   CHECK(!result.failingCase);
   CHECK(result.report.randomCases == 6);
   for (const VisibilityKind kind : {VisibilityKind::exact, VisibilityKind::table})
-    for (const Stage stage : {Stage::movedSpheres, Stage::bitCubes, Stage::haar,
-                              Stage::tripleProduct, Stage::fused, Stage::frame, Stage::transfer})
+    for (const Stage stage :
+         {Stage::movedSpheres, Stage::bitCubes, Stage::haar, Stage::tripleProduct, Stage::fused,
+          Stage::frame, Stage::exponentiation, Stage::transfer})
       CHECK(std::ranges::any_of(result.report.rows, [&](const Row& row) {
         return row.engine == "cuda-host" && row.stage == stage && row.visibility == nameOf(kind) &&
                row.compared > 0 && row.maximumUlp == 0;
@@ -61,6 +62,7 @@ TEST_CASE("every kind of fault is found where it was put") {
                                     std::pair(InjectionKind::bit, Stage::bitCubes),
                                     std::pair(InjectionKind::coefficient, Stage::haar),
                                     std::pair(InjectionKind::ulp, Stage::tripleProduct),
+                                    std::pair(InjectionKind::exponentiation, Stage::exponentiation),
                                     std::pair(InjectionKind::transfer, Stage::transfer)}) {
     CAPTURE(nameOf(kind));
     RunOptions options = smallRun();

@@ -43,6 +43,8 @@ std::string nameOf(Stage stage) {
       return "fused";
     case Stage::frame:
       return "frame";
+    case Stage::exponentiation:
+      return "exponentiation";
     case Stage::transfer:
       return "transfer";
   }

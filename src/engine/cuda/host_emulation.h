@@ -21,6 +21,7 @@
 /// cuda/lanes.cu tells of its shared memory by this, so that reading it before it was written
 /// shows.
 #define NEW_SHARED_MEMORY(array) newSharedMemory(array, sizeof(array))
+#define UNROLL
 
 namespace haarlight::host_emulation {
 

@@ -41,11 +41,27 @@ std::string kernelText(const std::string& fileName) {
 
 std::string openClSource(const KernelShape& shape) {
   std::string source = constants(shape);
-  for (const char* file :
-       {"lanes.cl", "canonical_sum.cl", "move_spheres.cl", "seen_spheres.cl", "sphere_bin.cl",
-        "sphere_table_entries.cl", "bit_cube_rows.cl", "merge_bit_cubes.cl", "caps.cl",
-        "cap_rows.cl", "tile_reach.cl", "merge_bit_cubes_exactly.cl", "transform_occlusion.cl",
-        "blend_radiance.cl", "triple_product.cl", "spread_weights.cl", "shade.cl", "transfer.cl"})
+  for (const char* file : {"lanes.cl",
+                           "canonical_sum.cl",
+                           "move_spheres.cl",
+                           "seen_spheres.cl",
+                           "sphere_bin.cl",
+                           "sphere_table_entries.cl",
+                           "bit_cube_rows.cl",
+                           "merge_bit_cubes.cl",
+                           "caps.cl",
+                           "cap_rows.cl",
+                           "tile_reach.cl",
+                           "merge_bit_cubes_exactly.cl",
+                           "transform_occlusion.cl",
+                           "blend_radiance.cl",
+                           "triple_product.cl",
+                           "spread_weights.cl",
+                           "shade.cl",
+                           "float_functions.cl",
+                           "sphere_logarithms.cl",
+                           "shexp.cl",
+                           "transfer.cl"})
     source += kernelText(file);
   return source;
 }

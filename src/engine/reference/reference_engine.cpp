@@ -1,7 +1,9 @@
 #include <chrono>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "engine/engine.h"
+#include "engine/reference/exponentiation_shader.h"
 #include "engine/reference/sample_shader.h"
 #include "engine/reference/transfer_shader.h"
 #include "visibility/exact_visibility.h"
@@ -89,6 +91,24 @@ class ReferenceEngine final : public Engine {
     return radiance;
   }
 
+  void setExponentiation(const ExponentiationTables& tables) override { exponentiation_ = tables; }
+
+  std::vector<glm::vec4> shadeByExponentiation(std::span<const Sphere> spheres,
+                                               ReceiverSpan receivers, StageTimes* times) override {
+    StageTimes ignored;
+    StageTimes& stages = times ? *times : ignored;
+    StageClock clock, whole;
+    const ExponentiationShader shader(exponentiation_.value());
+    std::vector<glm::vec4> radiance;
+    radiance.reserve(receivers.size());
+    for (std::size_t i = 0; i < receivers.size(); ++i)
+      radiance.push_back(shader.radiance(spheres, receivers.positions[i], receivers.normals[i],
+                                         receivers.lobes[i]));
+    clock.lap(stages.fused);
+    whole.lap(stages.total);
+    return radiance;
+  }
+
   void setTransferRows(const TransferRows& rows) override { transferRows_ = rows; }
   void setTransferLights(const TransferLights& lights) override { transferLights_ = lights; }
 
@@ -120,6 +140,7 @@ class ReferenceEngine final : public Engine {
   std::shared_ptr<const SphereTable> table_;
   ShadingTables tables_;
   SphereBinding binding_;
+  std::optional<ExponentiationTables> exponentiation_;
   TransferRows transferRows_;
   TransferLights transferLights_;
 };

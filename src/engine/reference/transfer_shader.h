@@ -6,6 +6,7 @@
 
 #include "base/canonical_order.h"
 #include "engine/transfer_tables.h"
+#include "shexp/float_functions.h"
 
 namespace haarlight {
 
@@ -18,8 +19,7 @@ class TransferShader {
   glm::vec4 radiance(const RowBlend& blend, std::span<const float> lightWeights) const {
     glm::vec4 radiance(0);
     for (int channel = 0; channel < 3; ++channel) {
-      const float sum = channelSum(blend, lightWeights, channel);
-      radiance[channel] = sum > 0 ? sum : 0.0f;
+      radiance[channel] = positivePart(channelSum(blend, lightWeights, channel));
     }
     return radiance;
   }

@@ -30,15 +30,15 @@ class FrameBuffers {
   GrowingBuffer tableEntries, tableGroups;
   GrowingBuffer spheres;
   GrowingBuffer positions, normals, lobes;
-  GrowingBuffer radiance;  ///< of tripleProduct, shadeByTable and shadeExactly
+  GrowingBuffer radiance;  ///< of every kernel that ends a frame
 
  private:
   KernelQueue& queue_;
   std::uint32_t sphereCount_ = 0;
 };
 
-/// Lobes that tripleProduct, shadeByTable and shadeExactly look at: receivers whose normals are all
-/// tabulated ones need one each, others three.
+/// Lobes that kernels look at: receivers whose normals are all tabulated ones need one each, others
+/// three.
 std::uint32_t lobesPerReceiver(std::span<const LobeBlend> lobes);
 
 }  // namespace haarlight
