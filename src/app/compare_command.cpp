@@ -24,13 +24,14 @@ struct CompareOptions {
   std::string sheet;
 };
 
-/// From the reference image to the coarsest approximation.
-const std::vector<std::string> allMethods{"pixel-mesh", "pixel", "haar", "shexp"};
+/// The exact methods, then the approximations.
+const std::vector<std::string> allMethods{"pixel-mesh", "pixel", "haar", "shexp", "sh"};
 
 constexpr glm::ivec2 defaultSize{480, 270};
 
-SceneDescription describe(const CompareOptions& options) {
+SceneDescription describe(const CompareOptions& options, const std::vector<std::string>& methods) {
   SceneDescription scene = describeScene(options.scene);
+  requireOrder(methods, scene.shading);
   scene.image.width = defaultSize.x;
   scene.image.height = defaultSize.y;
   applyPictureOptions(options.picture, scene.image);
@@ -108,7 +109,7 @@ void compare(const CompareOptions& options) {
   if (!options.sheet.empty()) checkTarget(options.sheet, {".png"});
   const auto methods = methodsOf(options);
   const auto references = referencesOf(options, methods);
-  ShadingSetup setup(options.scene, describe(options), console);
+  ShadingSetup setup(options.scene, describe(options, methods), console);
   Comparison comparison = renderAll(setup, methods);
   const auto rows = addErrors(comparison, references);
   const ImageDescription& image = setup.description().image;
