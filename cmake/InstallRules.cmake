@@ -5,7 +5,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/haarlight)
 
 install(TARGETS haarlight_core EXPORT haarlightTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 set_target_properties(haarlight_core PROPERTIES EXPORT_NAME core)
-set(rooms base cube haar sh visibility material shexp engine)
+set(rooms base cube haar sh visibility material shexp engine solids shadow)
 if(HAARLIGHT_APP)
   install(TARGETS haarlight_scene EXPORT haarlightTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   set_target_properties(haarlight_scene PROPERTIES EXPORT_NAME scene)

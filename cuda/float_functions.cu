@@ -11,7 +11,7 @@ __device__ inline float positivePart(float x) { return x > 0.0f ? x : 0.0f; }
 __device__ inline float inverseSquareRoot(float x) {
   float inverse = __uint_as_float(0x5f3759dfu - (__float_as_uint(x) >> 1));
   const float halved = 0.5f * x;
-  for (int step = 0; step < 4; ++step)
+  for (int step = 0; step < 3; ++step)
     inverse = inverse * __fmaf_rn(-(halved * inverse), inverse, 1.5f);
   return inverse;
 }

@@ -26,13 +26,17 @@ __device__ inline LinearExponential linearExponential(const ShexpTables* tables,
 #define RADIANCE_ROWS (3 * LIGHT_LOBE_ROW)
 #define RADIANCE_QUARTERS (RADIANCE_ROWS + 3 * TREE_STRIDE)
 
+__device__ inline float addSquareTerm(ShexpSquareTerm term, const float* g, float sum) {
+  return __fmaf_rn(term.weight, g[term.first] * g[term.second], sum);
+}
+
 __device__ inline float squareCoefficient(const ShexpTables* tables, const float* g, uint k) {
-  float sum = 0.0f;
-  for (uint i = tables->squareStarts[k]; i < tables->squareStarts[k + 1]; ++i) {
-    const ShexpSquareTerm term = tables->squareTerms[i];
-    sum = __fmaf_rn(term.weight, g[term.first] * g[term.second], sum);
+  float even = 0.0f, odd = 0.0f;
+  for (uint i = tables->squareStarts[k]; i < tables->squareStarts[k + 1]; i += 2) {
+    even = addSquareTerm(tables->squareTerms[i], g, even);
+    odd = addSquareTerm(tables->squareTerms[i + 1], g, odd);
   }
-  return sum;
+  return even + odd;
 }
 
 // exp of the function in `room`; returns where it is. All samples of a group go through as many

@@ -67,24 +67,23 @@ __device__ inline void addColumn(const ShexpTables* tables, int m, const float* 
   }
 }
 
-__device__ inline void addSphereLogarithm(const ShexpTables* tables, const SeenSpheres* seen,
-                                          float* sum) {
-  const SphereView view = viewSphere(seen);
-  const TablePlace place = placeInTable(view.cosine * float(LOGARITHM_ROWS), LOGARITHM_ROWS);
-  float factors[SHEXP_BANDS];
-  UNROLL for (int l = 0; l < SHEXP_BANDS; ++l) {
-    if (l >= tables->order) break;
-    const int index = place.row * tables->order + l;
-    factors[l] = interpolate(place.fraction, tables->logarithms[index],
-                             tables->logarithms[index + tables->order]);
-  }
+__device__ inline void logarithmFactors(const ShexpTables* tables, float cosine, float* factors) {
+  const TablePlace place = placeInTable(cosine * float(LOGARITHM_ROWS), LOGARITHM_ROWS);
+  const float* row = tables->logarithms + LOGARITHM_ROW * place.row;
+  UNROLL for (int l = 0; l < SHEXP_BANDS; ++l)
+    factors[l] = __fmaf_rn(place.fraction, row[LOGARITHM_ROW / 2 + l], row[l]);
+}
+
+// Adds the logarithm of a sphere's visibility.
+__device__ inline void addLogarithm(const ShexpTables* tables, const SphereView* view,
+                                    const float* factors, float* sum) {
   float cosine = 1.0f, sine = 0.0f;
   UNROLL for (int m = 0; m < SHEXP_BANDS; ++m) {
     if (m >= tables->order) break;
-    addColumn(tables, m, factors, view.z, cosine, sine, sum);
+    addColumn(tables, m, factors, view->z, cosine, sine, sum);
     const float before = cosine;
-    cosine = __fmaf_rn(view.x, cosine, -(view.y * sine));
-    sine = __fmaf_rn(view.x, sine, view.y * before);
+    cosine = __fmaf_rn(view->x, cosine, -(view->y * sine));
+    sine = __fmaf_rn(view->x, sine, view->y * before);
   }
 }
 
@@ -114,7 +113,10 @@ __device__ inline void sumLogarithms(const ShexpTables* tables, const Tile* tile
   UNROLL for (uint k = 0; k < SHEXP_COUNT; ++k) own[k] = 0.0f;
   for (uint first = 0; first + LANE < sphereCount; first += LANES) {
     const SeenSpheres seen = seeSpheres(tile, spheres, stride, first);
-    addSphereLogarithm(tables, &seen, own);
+    const SphereView view = viewSphere(&seen);
+    float factors[SHEXP_BANDS];
+    logarithmFactors(tables, view.cosine, factors);
+    addLogarithm(tables, &view, factors, own);
   }
   UNROLL for (uint first = 0; first < SHEXP_COUNT; first += TREE_ROWS) {
     UNROLL for (uint i = 0; i < TREE_ROWS; ++i)

@@ -22,7 +22,7 @@ inline float positivePart(float x) { return x > 0.0f ? x : 0.0f; }
 inline LaneFloat inverseSquareRoot(LaneFloat x) {
   LaneFloat inverse = LANE_FLOAT_OF_BITS(0x5f3759dfu - (BITS_OF_LANE_FLOAT(x) >> 1));
   const LaneFloat halved = 0.5f * x;
-  for (int step = 0; step < 4; ++step)
+  for (int step = 0; step < 3; ++step)
     inverse = inverse * fma(-(halved * inverse), inverse, (LaneFloat)(1.5f));
   return inverse;
 }

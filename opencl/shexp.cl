@@ -27,13 +27,17 @@ inline LinearExponential linearExponential(const ShexpTables* tables, LaneFloat 
 #define RADIANCE_ROWS (3 * LIGHT_LOBE_ROW)
 #define RADIANCE_QUARTERS (RADIANCE_ROWS + 3 * TREE_STRIDE)
 
+inline float addSquareTerm(ShexpSquareTerm term, __local const float* g, float sum) {
+  return fma(term.weight, g[term.first] * g[term.second], sum);
+}
+
 inline float squareCoefficient(const ShexpTables* tables, __local const float* g, uint k) {
-  float sum = 0.0f;
-  for (uint i = tables->squareStarts[k]; i < tables->squareStarts[k + 1]; ++i) {
-    const ShexpSquareTerm term = tables->squareTerms[i];
-    sum = fma(term.weight, g[term.first] * g[term.second], sum);
+  float even = 0.0f, odd = 0.0f;
+  for (uint i = tables->squareStarts[k]; i < tables->squareStarts[k + 1]; i += 2) {
+    even = addSquareTerm(tables->squareTerms[i], g, even);
+    odd = addSquareTerm(tables->squareTerms[i + 1], g, odd);
   }
-  return sum;
+  return even + odd;
 }
 
 // exp of the function in `room`; returns where it is. All samples of a group go through as many
@@ -110,16 +114,20 @@ inline void shadeTileByExponentiation(const ShexpTables* tables, const Tile* til
 // Visibility of a tile, a coefficient of all samples after the other.
 #define SHEXP_ROOM (LIGHT_LOBE_ROW * TILE)
 
+inline LaneFloat addSquareTerm(ShexpSquareTerm term, const LaneFloat* g, LaneFloat sum) {
+  return fma((LaneFloat)(term.weight), g[term.first] * g[term.second], sum);
+}
+
 inline void squareWhere(const ShexpTables* tables, LaneInt wanted, LaneFloat* g) {
   const uint count = (uint)(tables->order * tables->order);
   LaneFloat squared[SHEXP_COUNT];
   for (uint k = 0; k < count; ++k) {
-    LaneFloat sum = (LaneFloat)(0.0f);
-    for (uint i = tables->squareStarts[k]; i < tables->squareStarts[k + 1]; ++i) {
-      const ShexpSquareTerm term = tables->squareTerms[i];
-      sum = fma((LaneFloat)(term.weight), g[term.first] * g[term.second], sum);
+    LaneFloat even = (LaneFloat)(0.0f), odd = (LaneFloat)(0.0f);
+    for (uint i = tables->squareStarts[k]; i < tables->squareStarts[k + 1]; i += 2) {
+      even = addSquareTerm(tables->squareTerms[i], g, even);
+      odd = addSquareTerm(tables->squareTerms[i + 1], g, odd);
     }
-    squared[k] = sum;
+    squared[k] = even + odd;
   }
   for (uint k = 0; k < count; ++k) g[k] = select(g[k], squared[k], wanted);
 }
@@ -144,9 +152,9 @@ inline void exponentiate(const ShexpTables* tables, uint mostHalvings, LaneFloat
   for (uint i = 0; i < most; ++i) squareWhere(tables, halvings > (int)i, f);
 }
 
-// Coefficients k … k + 15 of a sample.
+// Coefficients 16 k to 16 k + 15 of a sample.
 inline LaneFloat loadSixteen(__local const float* visibility, uint sample, uint k) {
-  const int16 places = LANE_NUMBERS(0) * TILE + (int)(k * TILE + sample);
+  const int16 places = LANE_NUMBERS(0) * TILE + (int)(16 * k * TILE + sample);
   return OF_TABLE(visibility, places);
 }
 
@@ -180,7 +188,7 @@ inline float4 shadeLowOrder(const Blend* blend, __global const float* lightLobes
                             __local const float* room, uint sample) {
   LaneFloat visibility[LIGHT_LOBE_ROW / 16];
   for (uint k = 0; k < LIGHT_LOBE_ROW / 16; ++k)
-    visibility[k] = loadSixteen(room, sample, 16 * k);
+    visibility[k] = loadSixteen(room, sample, k);
   return (float4)(shadeChannel(blend, lightLobes, visibility),
                   shadeChannel(blend, lightLobes + LIGHT_LOBE_ROW, visibility),
                   shadeChannel(blend, lightLobes + 2 * LIGHT_LOBE_ROW, visibility), 0.0f);
@@ -192,12 +200,12 @@ inline void shadeTileByExponentiation(const ShexpTables* tables, const Tile* til
                                       uint lobesPerReceiver, __global const uint* lobeSlots,
                                       __global const float* lightLobes, __local float* room,
                                       __global float4* radiance) {
-  const uint count = (uint)(tables->order * tables->order);
-  LaneFloat sum[SHEXP_COUNT];
-  sumLogarithms(tables, tile, spheres, sphereCount, sum);
-  exponentiate(tables, mostHalvings, sum);
-  for (uint k = 0; k < LIGHT_LOBE_ROW; ++k)
-    vstore16(k < count ? sum[k] : (LaneFloat)(0.0f), k, room);
+  LaneFloat f[LIGHT_LOBE_ROW];
+  sumLogarithms(tables, tile, spheres, sphereCount, f);
+  exponentiate(tables, mostHalvings, f);
+  for (uint k = (uint)(tables->order * tables->order); k < LIGHT_LOBE_ROW; ++k)
+    f[k] = (LaneFloat)(0.0f);
+  for (uint k = 0; k < LIGHT_LOBE_ROW; ++k) ((__local LaneFloat*)room)[k] = f[k];
   for (uint i = 0; i < TILE; ++i) {
     const Blend blend = blendOf(receivers[FIRST_OF_TILE + i], lobesPerReceiver, lobeSlots);
     radiance[FIRST_OF_TILE + i] = shadeLowOrder(&blend, lightLobes, room, i);

@@ -70,26 +70,51 @@ inline void addColumn(const ShexpTables* tables, int m, const LaneFloat* factors
   }
 }
 
-inline void addSphereLogarithm(const ShexpTables* tables, const SeenSpheres* seen,
-                               LaneFloat* sum) {
-  const SphereView view = viewSphere(seen);
-  const TablePlace place = placeInTable(view.cosine * (float)LOGARITHM_ROWS, LOGARITHM_ROWS);
-  LaneFloat factors[SHEXP_BANDS];
+#if LANES_PER_ITEM == 1
+inline void logarithmFactors(const ShexpTables* tables, float cosine, float* factors) {
+  const TablePlace place = placeInTable(cosine * (float)LOGARITHM_ROWS, LOGARITHM_ROWS);
+  __global const float* row = tables->logarithms + LOGARITHM_ROW * place.row;
+#pragma unroll
+  for (int l = 0; l < SHEXP_BANDS; ++l)
+    factors[l] = fma(place.fraction, row[LOGARITHM_ROW / 2 + l], row[l]);
+}
+#else
+inline float8 factorsOfSample(const ShexpTables* tables, int row, float fraction) {
+  __global const float8* own = (__global const float8*)tables->logarithms + 2 * row;
+  return fma((float8)(fraction), own[1], own[0]);
+}
+
+// A sample's factors lie beside each other in the table, and are found at once.
+inline void logarithmFactors(const ShexpTables* tables, LaneFloat cosine, LaneFloat* factors) {
+  const TablePlace place = placeInTable(cosine * (float)LOGARITHM_ROWS, LOGARITHM_ROWS);
+  int rows[TILE] __attribute__((aligned(64)));
+  float fractions[TILE] __attribute__((aligned(64)));
+  *(LaneInt*)rows = place.row;
+  *(LaneFloat*)fractions = place.fraction;
+  float bySample[8 * TILE] __attribute__((aligned(64)));
+#pragma unroll
+  for (uint i = 0; i < TILE; ++i)
+    ((float8*)bySample)[i] = factorsOfSample(tables, rows[i], fractions[i]);
+  const LaneInt places = 8 * LANE_NUMBERS(0);
 #pragma unroll
   for (int l = 0; l < SHEXP_BANDS; ++l) {
     if (l >= tables->order) break;
-    const LaneInt index = place.row * tables->order + l;
-    factors[l] = interpolate(place.fraction, OF_TABLE(tables->logarithms, index),
-                             OF_TABLE(tables->logarithms + tables->order, index));
+    factors[l] = OF_TABLE(bySample + l, places);
   }
+}
+#endif
+
+// Adds the logarithm of a sphere's visibility.
+inline void addLogarithm(const ShexpTables* tables, const SphereView* view,
+                         const LaneFloat* factors, LaneFloat* sum) {
   LaneFloat cosine = (LaneFloat)(1.0f), sine = (LaneFloat)(0.0f);
 #pragma unroll
   for (int m = 0; m < SHEXP_BANDS; ++m) {
     if (m >= tables->order) break;
-    addColumn(tables, m, factors, view.z, cosine, sine, sum);
+    addColumn(tables, m, factors, view->z, cosine, sine, sum);
     const LaneFloat before = cosine;
-    cosine = fma(view.x, cosine, -(view.y * sine));
-    sine = fma(view.x, sine, view.y * before);
+    cosine = fma(view->x, cosine, -(view->y * sine));
+    sine = fma(view->x, sine, view->y * before);
   }
 }
 
@@ -121,7 +146,10 @@ inline void sumLogarithms(const ShexpTables* tables, const Tile* tile,
   for (uint k = 0; k < SHEXP_COUNT; ++k) own[k] = 0.0f;
   for (uint first = 0; first + FIRST_LANE < sphereCount; first += LANES) {
     const SeenSpheres seen = seeSpheres(tile, spheres, stride, first);
-    addSphereLogarithm(tables, &seen, own);
+    const SphereView view = viewSphere(&seen);
+    float factors[SHEXP_BANDS];
+    logarithmFactors(tables, view.cosine, factors);
+    addLogarithm(tables, &view, factors, own);
   }
 #pragma unroll
   for (uint first = 0; first < SHEXP_COUNT; first += TREE_ROWS) {
@@ -138,26 +166,48 @@ inline void sumLogarithms(const ShexpTables* tables, const Tile* tile,
   LANE_BARRIER();
 }
 #else
-#define FOR_EACH_COEFFICIENT(k) for (uint k = 0; k < SHEXP_COUNT; ++k)
+#define FOR_EACH_COEFFICIENT(k) for (uint k = 0; k < count; ++k)
 
-// The partial sums come in the order in which the tree needs them, 0, 16, 8, 24, 4 … Of every level
-// one sum waits in `waiting` for its partner.
+// Partial sums in the order in which the tree needs them, 0, 16, 8, 24, 4 … bits reversed.
+inline uint partialSum(uint i) {
+  return (i & 1) << 4 | (i & 2) << 2 | (i & 4) | (i & 8) >> 2 | (i & 16) >> 4;
+}
+
+#define FOR_EACH_OF_FOUR(own, i)       \
+  for (uint own = 0; own < 4; ++own)    \
+    if (first + partialSum((i) + own) < sphereCount)
+
+// Four partial sums, from i on. A sphere's operations wait for each other, those of four do not.
+inline void addToFourSums(const ShexpTables* tables, const Tile* tile,
+                          __global const float* spheres, uint sphereCount, uint i,
+                          LaneFloat sums[4][SHEXP_COUNT]) {
+  const uint stride = sphereStride(sphereCount);
+  for (uint first = 0; first < sphereCount; first += LANES) {
+    SphereView views[4];
+    LaneFloat factors[4][SHEXP_BANDS];
+    FOR_EACH_OF_FOUR(own, i) {
+      const SeenSpheres seen = seeSphere(tile, spheres, stride, first + partialSum(i + own));
+      views[own] = viewSphere(&seen);
+    }
+    FOR_EACH_OF_FOUR(own, i) logarithmFactors(tables, views[own].cosine, factors[own]);
+    FOR_EACH_OF_FOUR(own, i) addLogarithm(tables, &views[own], factors[own], sums[own]);
+  }
+}
+
+// Of every level of the tree one sum waits in `waiting` for its partner.
 inline void sumLogarithms(const ShexpTables* tables, const Tile* tile,
                           __global const float* spheres, uint sphereCount, LaneFloat* sum) {
-  const uint stride = sphereStride(sphereCount);
-  LaneFloat waiting[5 * SHEXP_COUNT];
-  for (uint i = 0; i < LANES; ++i) {
-    const uint first =
-        (i & 1) << 4 | (i & 2) << 2 | (i & 4) | (i & 8) >> 2 | (i & 16) >> 4;  // bits reversed
-    FOR_EACH_COEFFICIENT(k) sum[k] = (LaneFloat)(0.0f);
-    for (uint number = first; number < sphereCount; number += LANES) {
-      const SeenSpheres seen = seeSphere(tile, spheres, stride, number);
-      addSphereLogarithm(tables, &seen, sum);
-    }
+  const uint count = (uint)(tables->order * tables->order);
+  LaneFloat waiting[3][SHEXP_COUNT];
+  for (uint i = 0; i < LANES / 4; ++i) {
+    LaneFloat sums[4][SHEXP_COUNT];
+    for (uint own = 0; own < 4; ++own)
+      FOR_EACH_COEFFICIENT(k) sums[own][k] = (LaneFloat)(0.0f);
+    addToFourSums(tables, tile, spheres, sphereCount, 4 * i, sums);
+    FOR_EACH_COEFFICIENT(k) sum[k] = (sums[0][k] + sums[1][k]) + (sums[2][k] + sums[3][k]);
     uint level = 0;
-    for (; i >> level & 1; ++level)
-      FOR_EACH_COEFFICIENT(k) sum[k] = waiting[level * SHEXP_COUNT + k] + sum[k];
-    if (level < 5) FOR_EACH_COEFFICIENT(k) waiting[level * SHEXP_COUNT + k] = sum[k];
+    for (; i >> level & 1; ++level) FOR_EACH_COEFFICIENT(k) sum[k] = waiting[level][k] + sum[k];
+    if (level < 3) FOR_EACH_COEFFICIENT(k) waiting[level][k] = sum[k];
   }
 }
 #endif

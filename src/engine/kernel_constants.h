@@ -27,6 +27,7 @@
   CONSTANT(ABSENT_SQUARE, haarlight::ShadingTables::absentSquare)      \
   CONSTANT(SHEXP_BANDS, haarlight::largestShexpOrder)                  \
   CONSTANT(LOGARITHM_ROWS, haarlight::ShexpTables::logarithmRows)      \
+  CONSTANT(LOGARITHM_ROW, haarlight::ShexpTables::logarithmRowSize)    \
   CONSTANT(LINEAR_ROWS, haarlight::ShexpTables::linearRows)            \
   CONSTANT(LIGHT_LOBE_ROW, haarlight::ExponentiationTables::rowSize)
 // clang-format on

@@ -60,10 +60,10 @@ using ZonalFactors = std::array<float, largestShexpOrder>;
 ZonalFactors logarithmFactors(const ShexpTables& tables, float cosine) {
   const TablePlace place =
       placeInTable(cosine * ShexpTables::logarithmRows, ShexpTables::logarithmRows);
-  const float* row = &tables.logarithms[place.row * tables.order];
+  const float* row = &tables.logarithms[place.row * ShexpTables::logarithmRowSize];
+  const float* steps = row + ShexpTables::logarithmRowSize / 2;
   ZonalFactors factors{};
-  for (int l = 0; l < tables.order; ++l)
-    factors[l] = interpolate(place.fraction, row[l], row[tables.order + l]);
+  for (int l = 0; l < tables.order; ++l) factors[l] = std::fma(place.fraction, steps[l], row[l]);
   return factors;
 }
 
@@ -113,14 +113,17 @@ ShexpVector sphereLogarithms(const ShexpTables& tables, std::span<const Sphere> 
 }
 
 ShexpVector shexpSquare(const ShexpTables& tables, const ShexpVector& g) {
+  const auto addTerm = [&](const ShexpSquareTerm& term, float sum) {
+    return std::fma(term.weight, g[term.first] * g[term.second], sum);
+  };
   ShexpVector result{};
   for (int k = 0; k < shCoefficientCount(tables.order); ++k) {
-    float sum = 0;
-    for (auto i = tables.squareStarts[k]; i < tables.squareStarts[k + 1]; ++i) {
-      const ShexpSquareTerm& term = tables.squareTerms[i];
-      sum = std::fma(term.weight, g[term.first] * g[term.second], sum);
+    float even = 0, odd = 0;
+    for (auto i = tables.squareStarts[k]; i < tables.squareStarts[k + 1]; i += 2) {
+      even = addTerm(tables.squareTerms[i], even);
+      odd = addTerm(tables.squareTerms[i + 1], odd);
     }
-    result[k] = sum;
+    result[k] = even + odd;
   }
   return result;
 }

@@ -15,6 +15,7 @@
 /// Every engine gives the same bits (docs/numerics.md): float32 additions, products and fma in the
 /// order written here, no quotient and no root of the device. Sphere k is added to partial sum
 /// k mod 32, coefficient by coefficient, and the partial sums as a tree (base/canonical_order.h).
+/// The terms of a square's coefficient go into two sums in turn.
 
 #include <array>
 #include <glm/vec3.hpp>

@@ -10,7 +10,7 @@ namespace haarlight {
 float inverseSquareRoot(float x) {
   float inverse = std::bit_cast<float>(0x5f3759dfu - (std::bit_cast<std::uint32_t>(x) >> 1));
   const float halved = 0.5f * x;
-  for (int step = 0; step < 4; ++step)
+  for (int step = 0; step < 3; ++step)
     inverse = inverse * std::fma(-(halved * inverse), inverse, 1.5f);
   return inverse;
 }

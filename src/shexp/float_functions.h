@@ -5,7 +5,7 @@
 
 namespace haarlight {
 
-/// 1/√x for a normal x > 0 within 2e-7 relative: an estimate from the exponent and four steps of
+/// 1/√x for a normal x > 0 within 2e-7 relative: an estimate from the exponent and three steps of
 /// Newton's method. For 0 some finite number.
 float inverseSquareRoot(float x);
 

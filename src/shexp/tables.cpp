@@ -76,10 +76,17 @@ int ShexpTables::mostHalvings(std::size_t spheres) const {
 }
 
 void ShexpTables::tabulateLogarithms() {
-  for (int row = 0; row <= logarithmRows; ++row) {
-    const auto zonal = zonalLogarithm(capVisibility(order, row / double(logarithmRows)));
-    for (const double factor : convolutionFactors(zonal)) logarithms.push_back(float(factor));
-  }
+  std::vector<std::vector<double>> factors;
+  for (int row = 0; row <= logarithmRows; ++row)
+    factors.push_back(
+        convolutionFactors(zonalLogarithm(capVisibility(order, row / double(logarithmRows)))));
+  logarithms.resize(logarithmRows * logarithmRowSize);
+  for (int row = 0; row < logarithmRows; ++row)
+    for (int l = 0; l < order; ++l) {
+      float* own = &logarithms[row * logarithmRowSize + l];
+      own[0] = float(factors[row][l]);
+      own[logarithmRowSize / 2] = float(factors[row + 1][l]) - own[0];
+    }
 }
 
 void ShexpTables::tabulateLinear(double limit) {
@@ -119,6 +126,7 @@ void ShexpTables::tabulateSquare() {
         const float weight = float(i == j ? value : 2 * value);
         squareTerms.push_back({std::uint16_t(i), std::uint16_t(j), weight});
       }
+    if (squareTerms.size() % 2 == 1) squareTerms.push_back({0, 0, 0});
     squareStarts.push_back(std::uint32_t(squareTerms.size()));
   }
 }

@@ -33,8 +33,10 @@ struct ShexpConstants {
 /// All that spherical-harmonic exponentiation reads, in flat arrays and single precision, as every
 /// engine reads it. Made in double.
 struct ShexpTables {
-  /// Rows of `logarithms` less one: cos α = row/128 for a sphere of angular radius α.
+  /// Rows of `logarithms`: cos α = row/128 for a sphere of angular radius α.
   static constexpr int logarithmRows = 128;
+  /// Numbers of a row, a cache line: those of up to eight bands, then steps to the next row's.
+  static constexpr int logarithmRowSize = 16;
   /// Rows of `linear` less one.
   static constexpr int linearRows = 16;
 
@@ -51,12 +53,14 @@ struct ShexpTables {
   static const ShexpTables& shared(int shOrder);
 
   int order;
-  /// row · order + l holds √(4π/(2l + 1)) f_l, the factor of y_lm in a sphere's rotated logarithm.
+  /// row · 16 + l holds √(4π/(2l + 1)) f_l, the factor of y_lm in a sphere's rotated logarithm,
+  /// and row · 16 + 8 + l how much more it is in the next row; 0 from l = order on.
   std::vector<float> logarithms;
   /// exp f ≈ a + b f for a function without mean of norm row/16 of the limit: (√4π a, b).
   std::vector<glm::vec2> linear;
   ShexpConstants constants;
-  /// Coefficient k of a square is the sum of terms squareStarts[k] … squareStarts[k + 1] − 1.
+  /// Coefficient k of a square is the sum of terms squareStarts[k] … squareStarts[k + 1] − 1, an
+  /// even number of them: the last one may have no weight.
   std::vector<std::uint32_t> squareStarts;
   std::vector<ShexpSquareTerm> squareTerms;
 

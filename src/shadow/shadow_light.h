@@ -1,0 +1,23 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <variant>
+
+namespace haarlight {
+
+struct PointLight {
+  glm::dvec3 position{0};
+};
+
+/// A light so far away that its rays are parallel.
+struct DirectionalLight {
+  glm::dvec3 towards{0, 1, 0};  ///< from the scene to the light; not zero, of any length
+};
+
+/// A light whose shadows have hard edges.
+using ShadowLight = std::variant<PointLight, DirectionalLight>;
+
+/// Throws InputError when a number is not finite or a direction is zero.
+void checkLight(const ShadowLight& light);
+
+}  // namespace haarlight
