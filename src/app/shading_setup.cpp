@@ -54,9 +54,11 @@ std::shared_ptr<const SceneTransfer> ShadingSetup::transfer() {
   const Stopwatch watch;
   transfer_ = std::make_shared<const SceneTransfer>(makeSceneTransfer(
       description_, moving_, files, description_.shading.order, console_.progress()));
+  transferSeconds_ = watch.total();
   for (const std::string& warning : transfer_->warnings) console_.warning(warning);
   console_.message(fmt::format("transfer of {} vertices, order {}, ready in {:.2f} s",
-                               transfer_->rows.rowCount(), transfer_->rows.order, watch.total()));
+                               transfer_->rows.rowCount(), transfer_->rows.order,
+                               transferSeconds_));
   return transfer_;
 }
 
@@ -106,6 +108,7 @@ nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const
     summary["per"] = nameOf(shadedPerNames, description_.shading.per);
     summary["transfer_channels"] = transfer_->rows.channels;
     summary["vertices"] = transfer_->rows.rowCount();
+    summary["transfer_seconds"] = transferSeconds_;  // before any shading
   }
   if (usesVisibilityKind(method))
     summary["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);

@@ -56,6 +56,7 @@ class ShadingSetup {
   std::shared_ptr<const SphereTable> table_;
   std::shared_ptr<Engine> engine_;
   std::shared_ptr<const SceneTransfer> transfer_;
+  double transferSeconds_ = 0;  ///< reading or computing it took
 };
 
 nlohmann::ordered_json describeStages(const StageTimes& times);

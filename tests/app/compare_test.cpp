@@ -30,6 +30,7 @@ TEST_CASE("compare renders every method and holds it against both references") {
   }
   CHECK(pictures[3].at("order") == 4);
   CHECK(pictures[4].at("order") == 5);
+  CHECK(pictures[4].at("transfer_seconds") > 0);
 }
 
 TEST_CASE("compare takes a mesh, and an order for both methods that have one") {
