@@ -24,8 +24,9 @@ inline constexpr std::array allTransferSettings{
 std::string nameOf(const TransferSetting& setting);
 
 /// Rows, lights and receivers made of a case: a row for each receiver, of the clamped cosine about
-/// its normal, in channels of different albedo; the case's light, and the same turned by a radian
-/// about +y and by two; rows and lights blended by random weights that are the same everywhere.
+/// its normal, in channels of different albedo, every third one with half the mean, so that
+/// radiance below zero is asked for too; the case's light, and the same turned by a radian about +y
+/// and by two; rows and lights blended by random weights that are the same everywhere.
 struct TransferQuestion {
   TransferSetting setting;
   TransferRows rows;
