@@ -35,6 +35,8 @@ struct ShadowLeaf {
   CellCode cell;
   bool inShadow = false;
   bool byRay = false;  ///< not proved: it holds for one point of the surface in the cell
+
+  bool operator==(const ShadowLeaf&) const = default;
 };
 
 /// Which part of a receiver lies in shadow: the leaves of an octree that the surface reaches,
