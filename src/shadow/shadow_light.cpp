@@ -1,6 +1,7 @@
 #include "shadow/shadow_light.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "base/error.h"
 
@@ -28,6 +29,16 @@ struct LightCheck {
 
 void checkLight(const ShadowLight& light) {
   std::visit(LightCheck{}, light);
+}
+
+Ray segmentToLight(const glm::dvec3& point, const ShadowLight& light) {
+  if (const auto* source = std::get_if<PointLight>(&light))
+    return {point, source->position - point, 0, 1};
+  return {point, std::get<DirectionalLight>(light).towards};
+}
+
+bool facesAway(const glm::dvec3& normal, const glm::dvec3& point, const ShadowLight& light) {
+  return glm::dot(normal, segmentToLight(point, light).direction) <= 0;
 }
 
 }  // namespace haarlight

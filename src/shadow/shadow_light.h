@@ -3,6 +3,8 @@
 #include <glm/vec3.hpp>
 #include <variant>
 
+#include "solids/ray.h"
+
 namespace haarlight {
 
 struct PointLight {
@@ -19,5 +21,12 @@ using ShadowLight = std::variant<PointLight, DirectionalLight>;
 
 /// Throws InputError when a number is not finite or a direction is zero.
 void checkLight(const ShadowLight& light);
+
+/// The way of light from a point, t from 0 to a point light at 1, or to infinity.
+Ray segmentToLight(const glm::dvec3& point, const ShadowLight& light);
+
+/// Whether a surface lies in its own (attached) shadow: its normal points away from the light, or
+/// at a right angle.
+bool facesAway(const glm::dvec3& normal, const glm::dvec3& point, const ShadowLight& light);
 
 }  // namespace haarlight

@@ -48,6 +48,9 @@ glm::dvec3 furthestPoint(const BoxShape& shape, const glm::dvec3& direction);
 glm::dvec3 furthestPoint(const ConeShape& shape, const glm::dvec3& direction);
 glm::dvec3 furthestPoint(const TorusShape& shape, const glm::dvec3& direction);
 
+/// The way to a point from the nearest point of the circle inside a torus's tube.
+glm::dvec3 fromCircle(const TorusShape& shape, const glm::dvec3& point);
+
 SurfaceCrossings crossings(const EllipsoidShape& shape, const CenteredLine& line);
 SurfaceCrossings crossings(const BoxShape& shape, const CenteredLine& line);
 SurfaceCrossings crossings(const ConeShape& shape, const CenteredLine& line);

@@ -59,7 +59,10 @@ std::optional<SolidHit> Solid::intersect(const Ray& ray) const {
 }
 
 bool Solid::blocks(const Ray& ray) const {
-  return ray.near <= ray.far && (contains(ray.at(ray.near)) || intersect(ray));
+  if (!(ray.near <= ray.far)) return false;
+  // An end on the surface counts, which its crossing may miss by rounding.
+  return contains(ray.at(ray.near)) || intersect(ray) ||
+         (std::isfinite(ray.far) && contains(ray.at(ray.far)));
 }
 
 }  // namespace haarlight

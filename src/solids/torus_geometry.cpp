@@ -17,12 +17,6 @@ glm::dvec3 awayFromAxis(const glm::dvec3& point) {
   return {point.x / distance, 0, point.z / distance};
 }
 
-/// From the nearest point of the circle inside the tube.
-glm::dvec3 fromCircle(const TorusShape& shape, const glm::dvec3& point) {
-  const glm::dvec3 outwards = awayFromAxis(point);
-  return (distanceFromAxis(point) - shape.majorRadius) * outwards + glm::dvec3(0, point.y, 0);
-}
-
 /// The distance from the surface along a line; negative inside.
 ValueAndSlope signedDistance(const TorusShape& shape, const CenteredLine& line, double s) {
   const glm::dvec3 away = fromCircle(shape, line.at(s));
@@ -71,6 +65,11 @@ Places turningPoints(const TorusShape& shape, const CenteredLine& line, double r
 }
 
 }  // namespace
+
+glm::dvec3 fromCircle(const TorusShape& shape, const glm::dvec3& point) {
+  const glm::dvec3 outwards = awayFromAxis(point);
+  return (distanceFromAxis(point) - shape.majorRadius) * outwards + glm::dvec3(0, point.y, 0);
+}
 
 bool containsPoint(const TorusShape& shape, const glm::dvec3& point) {
   return glm::length(fromCircle(shape, point)) <= shape.minorRadius + onSurface * shape.majorRadius;

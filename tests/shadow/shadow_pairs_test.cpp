@@ -9,53 +9,12 @@
 
 #include "error_text.h"
 #include "shadow/box_shadow.h"
-#include "solids/solid_samples.h"
+#include "shadow/shadow_scenes.h"
 
 using namespace haarlight;
 using namespace haarlight::test;
 
 namespace {
-
-std::vector<AxisBox> boundsOf(const std::vector<Solid>& solids) {
-  std::vector<AxisBox> result;
-  for (const Solid& solid : solids) result.push_back(solid.bounds());
-  return result;
-}
-
-/// From 2 to 40 solids, crowded in some scenes and spread in others.
-std::vector<Solid> randomScene(RandomNumbers& random) {
-  const int count = 2 + int(random() % 39);
-  const double reach = uniform(random, 0.5, 6);
-  std::vector<Solid> result;
-  for (int i = 0; i < count; ++i)
-    result.push_back(randomSolid(int(random() % shapeKinds), reach, random));
-  return result;
-}
-
-/// Somewhere, within a solid, on a surface, straight above one, or far away, by turns.
-ShadowLight lightFor(const std::vector<Solid>& solids, int i, RandomNumbers& random) {
-  const Solid& solid = solids[random() % solids.size()];
-  switch (i % 6) {
-    case 0:
-      return PointLight{randomPoint(random, 8)};
-    case 1:
-      return PointLight{solid.placement().translation()};
-    case 2:
-      return PointLight{randomSurfaceSample(solid, random).position};
-    case 3:
-      return PointLight{solid.placement().translation() + glm::dvec3(0, 8, 0)};
-    case 4:
-      return DirectionalLight{{0, 1, 0}};
-    default:
-      return DirectionalLight{randomDirection(random)};
-  }
-}
-
-Ray rayToLight(const glm::dvec3& from, const ShadowLight& light) {
-  if (const auto* point = std::get_if<PointLight>(&light))
-    return {from, point->position - from, 0, 1};
-  return {from, std::get<DirectionalLight>(light).towards};
-}
 
 bool isKept(const ShadowPairs& pairs, ShadowPair pair) {
   return std::binary_search(pairs.kept.begin(), pairs.kept.end(), pair);
@@ -105,7 +64,7 @@ TEST_CASE("no pair is dropped in which a ray from a point to the light meets the
       const auto points = receiverPoints(solids[receiver], random);
       for (std::uint32_t caster = 0; caster < solids.size(); ++caster) {
         const bool blocks = std::any_of(points.begin(), points.end(), [&](const glm::dvec3& p) {
-          return solids[caster].blocks(rayToLight(p, light));
+          return solids[caster].blocks(segmentToLight(p, light));
         });
         CAPTURE(i);
         if (blocks) REQUIRE(isKept(pairs, {caster, receiver}));
@@ -126,7 +85,7 @@ TEST_CASE("a receiver that touches a solid within its tolerance is paired with i
     const glm::dvec3 touching = place + (1 + 0.7e-12) * up;
     const AxisBox receiver{touching - glm::dvec3(1, 0, 1), touching + glm::dvec3(1)};
     const DirectionalLight sun{up};
-    CHECK(caster.blocks(rayToLight(touching, sun)));
+    CHECK(caster.blocks(segmentToLight(touching, sun)));
     const std::vector boxes{caster.bounds(), receiver};
     CHECK(isKept(findShadowPairs(BoxTree(boxes), sun), {0, 1}));
   }
