@@ -59,7 +59,8 @@ std::vector<std::size_t> referencesOf(const CompareOptions& options,
                        name);
     places.push_back(std::size_t(found - methods.begin()));
   }
-  for (std::size_t i = 0; options.references.empty() && i < methods.size(); ++i)
+  if (!places.empty()) return places;
+  for (std::size_t i = 0; i < methods.size(); ++i)
     if (methods[i].starts_with("pixel")) places.push_back(i);
   if (places.empty()) places.push_back(0);
   return places;
@@ -83,9 +84,10 @@ std::string noteOf(const nlohmann::ordered_json& summary, double seconds) {
 Comparison renderAll(ShadingSetup& setup, const std::vector<std::string>& methods) {
   const SceneDescription& scene = setup.description();
   const ScreenSampler sampler(setup.scene(), cameraAt(scene.camera, 0), scene.image);
+  const auto overview = sampler.overview();
   Comparison comparison;
   for (const std::string& name : methods) {
-    const auto method = setup.method(choiceOf(shadingMethodNames, name), sampler.overview(), true);
+    const auto method = setup.method(choiceOf(shadingMethodNames, name), overview, true);
     RenderedImage picture = sampler.render(*method, setup.console().progress());
     const double seconds = method->times().total;
     comparison.surfaceMask = std::move(picture.surfaceMask);

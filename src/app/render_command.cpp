@@ -74,9 +74,10 @@ struct Comparison {
 
 std::vector<Comparison> renderComparisons(ShadingSetup& setup, const ScreenSampler& sampler,
                                           const std::vector<std::string>& methods) {
+  const auto overview = sampler.overview();
   std::vector<Comparison> comparisons;
   for (const std::string& name : methods) {
-    const auto method = setup.method(choiceOf(shadingMethodNames, name), sampler.overview(), true);
+    const auto method = setup.method(choiceOf(shadingMethodNames, name), overview, true);
     RenderedImage picture = sampler.render(*method, setup.console().progress());
     comparisons.push_back({name, std::move(picture), method->times().total});
   }
