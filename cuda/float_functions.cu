@@ -1,9 +1,12 @@
 // Functions of float32 numbers that give the same bits everywhere, and tables of equal steps: twins
-// of src/shexp/float_functions.cpp and of src/shexp/exponentiation.cpp.
+// of src/shexp/float_functions.h and of src/shexp/exponentiation.cpp.
 
 __device__ inline float smaller(float a, float b) { return b < a ? b : a; }
 
 __device__ inline float larger(float a, float b) { return a < b ? b : a; }
+
+// Radiance that is not above zero, which ringing can give, is none; nor does zero keep a sign.
+__device__ inline float positivePart(float x) { return x > 0.0f ? x : 0.0f; }
 
 __device__ inline float inverseSquareRoot(float x) {
   float inverse = __uint_as_float(0x5f3759dfu - (__float_as_uint(x) >> 1));

@@ -81,8 +81,6 @@ __device__ inline float channelPartial(const Blend* blend, const float* lightLob
   return partial;
 }
 
-__device__ inline float notBelowZero(float x) { return x < 0.0f ? 0.0f : x; }
-
 // Radiance of the sample whose visibility is at `visibility` in `room`.
 __device__ inline void shadeLowOrder(const Blend* blend, const float* lightLobes, uint visibility,
                                      float* room, float4* radiance) {
@@ -96,9 +94,9 @@ __device__ inline void shadeLowOrder(const Blend* blend, const float* lightLobes
         quarterOfTree(room + RADIANCE_ROWS + LANE / 4 * TREE_STRIDE + LANE % 4);
   LANE_BARRIER();
   if (LANE == 0)
-    radiance[FIRST_OF_TILE] = make_float4(notBelowZero(treeOfQuarters(quarters)),
-                                          notBelowZero(treeOfQuarters(quarters + 4)),
-                                          notBelowZero(treeOfQuarters(quarters + 8)), 0.0f);
+    radiance[FIRST_OF_TILE] = make_float4(positivePart(treeOfQuarters(quarters)),
+                                          positivePart(treeOfQuarters(quarters + 4)),
+                                          positivePart(treeOfQuarters(quarters + 8)), 0.0f);
 }
 
 __device__ inline void shadeTileByExponentiation(const ShexpTables* tables, const Tile* tile,

@@ -1,5 +1,5 @@
 // Functions of float32 numbers that give the same bits everywhere, and tables of equal steps: twins
-// of src/shexp/float_functions.cpp and of src/shexp/exponentiation.cpp.
+// of src/shexp/float_functions.h and of src/shexp/exponentiation.cpp.
 
 // Elements of a table, another one for every lane.
 #if LANES_PER_ITEM == 1
@@ -15,6 +15,9 @@
 inline LaneFloat smaller(LaneFloat a, LaneFloat b) { return select(a, b, b < a); }
 
 inline LaneFloat larger(LaneFloat a, LaneFloat b) { return select(a, b, a < b); }
+
+// Radiance that is not above zero, which ringing can give, is none; nor does zero keep a sign.
+inline float positivePart(float x) { return x > 0.0f ? x : 0.0f; }
 
 inline LaneFloat inverseSquareRoot(LaneFloat x) {
   LaneFloat inverse = LANE_FLOAT_OF_BITS(0x5f3759dfu - (BITS_OF_LANE_FLOAT(x) >> 1));

@@ -81,8 +81,6 @@ inline float channelPartial(const Blend* blend, __global const float* lightLobes
   return partial;
 }
 
-inline float notBelowZero(float x) { return x < 0.0f ? 0.0f : x; }
-
 // Radiance of the sample whose visibility is at `visibility` in `room`.
 inline void shadeLowOrder(const Blend* blend, __global const float* lightLobes, uint visibility,
                           __local float* room, __global float4* radiance) {
@@ -96,9 +94,9 @@ inline void shadeLowOrder(const Blend* blend, __global const float* lightLobes, 
         quarterOfTree(room + RADIANCE_ROWS + FIRST_LANE / 4 * TREE_STRIDE + FIRST_LANE % 4);
   LANE_BARRIER();
   if (FIRST_LANE == 0)
-    radiance[FIRST_OF_TILE] = (float4)(notBelowZero(treeOfQuarters(quarters)),
-                                       notBelowZero(treeOfQuarters(quarters + 4)),
-                                       notBelowZero(treeOfQuarters(quarters + 8)), 0.0f);
+    radiance[FIRST_OF_TILE] = (float4)(positivePart(treeOfQuarters(quarters)),
+                                       positivePart(treeOfQuarters(quarters + 4)),
+                                       positivePart(treeOfQuarters(quarters + 8)), 0.0f);
 }
 
 inline void shadeTileByExponentiation(const ShexpTables* tables, const Tile* tile,
@@ -183,7 +181,7 @@ inline float shadeChannel(const Blend* blend, __global const float* lightLobes,
     partials[k % 2] =
         fma(visibility[k], blendSixteen(blend, lightLobes + 16 * k), partials[k % 2]);
   const float sum = addPartialSums(partials[0], partials[1]);
-  return sum < 0.0f ? 0.0f : sum;
+  return positivePart(sum);
 }
 
 inline float4 shadeLowOrder(const Blend* blend, __global const float* lightLobes,

@@ -31,6 +31,12 @@ float brightest(const ExponentiationTables& tables) {
   return maximum;
 }
 
+float brightest(std::span<const glm::vec4> radiance) {
+  float maximum = 0;
+  for (const glm::vec4& value : radiance) maximum = std::max({maximum, value.x, value.y, value.z});
+  return maximum;
+}
+
 }  // namespace
 
 SubjectComparison::SubjectComparison(Subject subject, const std::optional<Injection>& injection)
@@ -89,6 +95,8 @@ void SubjectComparison::compare(const Question& question, const Answers& answers
   compareFrame(value, question.tables[question.frameTables], answers);
   for (std::size_t i = 0; i < question.exponentiation.size(); ++i)
     compareExponentiation(value, question.exponentiation[i], answers.exponentiation[i]);
+  for (std::size_t i = 0; i < question.transfer.size(); ++i)
+    compareTransfer(value, question.transfer[i], answers.transfer[i]);
 }
 
 void SubjectComparison::compareMovedSpheres(const Case& value, const Answers& answers) {
@@ -153,6 +161,16 @@ void SubjectComparison::compareExponentiation(const Case& value, const Exponenti
     return engine_->shadeByExponentiation(value.spheres, value.receivers);
   });
   exponentiation.compareRadiance(value, expected, radiance, brightest(tables));
+}
+
+void SubjectComparison::compareTransfer(const Case& value, const TransferQuestion& question,
+                                        std::span<const glm::vec4> expected) {
+  Tally& transfer = tallyOf(Stage::transfer, nameOf(question.setting));
+  engine_->setTransferRows(question.rows);
+  engine_->setTransferLights(question.lights);
+  const auto radiance =
+      timed(transfer, [&] { return engine_->shadeByTransfer(question.receivers); });
+  transfer.compareRadiance(value, expected, radiance, brightest(expected));
 }
 
 std::vector<Row> SubjectComparison::rows() const {

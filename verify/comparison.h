@@ -43,6 +43,8 @@ class SubjectComparison {
   void compareFrame(const Case& value, const ShadingTables& tables, const Answers& answers);
   void compareExponentiation(const Case& value, const ExponentiationTables& tables,
                              std::span<const glm::vec4> expected);
+  void compareTransfer(const Case& value, const TransferQuestion& question,
+                       std::span<const glm::vec4> expected);
   template <typename Action>
   auto timed(Tally& tally, const Action& action);
 

@@ -21,6 +21,14 @@ ShadingTables tablesFor(const Case& value, const Setting& setting) {
   return buildShadingTables(value.light, settings, countLobes(value.receivers.lobes));
 }
 
+/// All elements when `asksAll` and the case is no frame, else one in turn.
+template <typename Element, std::size_t size>
+std::span<const Element> allOrOneInTurn(const std::array<Element, size>& all, const Case& value,
+                                        std::size_t index, bool asksAll) {
+  if (asksAll && value.receivers.size() <= mostReceiversForAllSettings) return all;
+  return std::span(all).subspan(index % size, 1);
+}
+
 /// Copies a part's results to their place in the whole.
 template <typename Element>
 void place(std::vector<Element>& whole, std::size_t first, const std::vector<Element>& part) {
@@ -29,11 +37,13 @@ void place(std::vector<Element>& whole, std::size_t first, const std::vector<Ele
 
 }  // namespace
 
-Question::Question(Case caseToAsk, std::span<const Setting> settings, std::span<const int> orders)
+Question::Question(Case caseToAsk, std::span<const Setting> settings, std::span<const int> orders,
+                   std::span<const TransferSetting> transferSettings)
     : value(std::move(caseToAsk)) {
   const auto importance = countLobes(value.receivers.lobes);
   for (const int order : orders)
     exponentiation.push_back(buildExponentiationTables(value.light, order, importance));
+  for (const TransferSetting& setting : transferSettings) transfer.emplace_back(value, setting);
   for (const Setting& setting : settings) tables.push_back(tablesFor(value, setting));
   frameTables = value.spheres.size() % tables.size();
 }
@@ -46,8 +56,12 @@ std::span<const Setting> settingsFor(const Case& value, std::size_t index, bool 
 }
 
 std::span<const int> ordersFor(const Case& value, std::size_t index, bool asksAll) {
-  if (asksAll && value.receivers.size() <= mostReceiversForAllSettings) return allOrders;
-  return std::span(allOrders).subspan(index % allOrders.size(), 1);
+  return allOrOneInTurn(allOrders, value, index, asksAll);
+}
+
+std::span<const TransferSetting> transferSettingsFor(const Case& value, std::size_t index,
+                                                     bool asksAll) {
+  return allOrOneInTurn(allTransferSettings, value, index, asksAll);
 }
 
 Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereTable> table) {
@@ -82,6 +96,12 @@ Answers referenceAnswers(const Question& question, std::shared_ptr<const SphereT
       place(answers.exponentiation[i], begin, reference->shadeByExponentiation(spheres, part));
     }
   });
+  for (const TransferQuestion& transfer : question.transfer) {
+    const auto reference = makeReferenceEngine(nullptr);
+    reference->setTransferRows(transfer.rows);
+    reference->setTransferLights(transfer.lights);
+    answers.transfer.push_back(reference->shadeByTransfer(transfer.receivers));
+  }
   return answers;
 }
 

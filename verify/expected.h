@@ -7,6 +7,7 @@
 
 #include "engine/engine.h"
 #include "verify/cases/case.h"
+#include "verify/transfer_question.h"
 #include "visibility/visibility_kind.h"
 
 namespace haarlight::verify {
@@ -30,9 +31,11 @@ struct Question {
   std::size_t frameTables = 0;
   /// By order.
   std::vector<ExponentiationTables> exponentiation;
+  std::vector<TransferQuestion> transfer;
 
   Question(Case caseToAsk, std::span<const Setting> settings,
-           std::span<const int> orders = allOrders);
+           std::span<const int> orders = allOrders,
+           std::span<const TransferSetting> transferSettings = allTransferSettings);
 };
 
 /// The settings that question `index` of a run is asked with: all of them when `asksAll`; 200 terms
@@ -42,6 +45,11 @@ std::span<const Setting> settingsFor(const Case& value, std::size_t index, bool 
 /// The orders that question `index` of a run is asked with: all of them when `asksAll` and it is no
 /// frame of many receivers, else one in turn.
 std::span<const int> ordersFor(const Case& value, std::size_t index, bool asksAll);
+
+/// The settings of transfer of question `index` of a run: all of them when `asksAll` and it is no
+/// frame of many receivers, else one in turn.
+std::span<const TransferSetting> transferSettingsFor(const Case& value, std::size_t index,
+                                                     bool asksAll);
 
 /// The scalar reference's answers, stage by stage.
 struct Answers {
@@ -55,6 +63,8 @@ struct Answers {
   std::vector<glm::vec4> frame;
   /// By order of the question.
   std::vector<std::vector<glm::vec4>> exponentiation;
+  /// By transfer of the question.
+  std::vector<std::vector<glm::vec4>> transfer;
 };
 
 /// Asks the reference, on all threads. Without a table visibility is exact.

@@ -15,10 +15,12 @@ struct NamedKind {
   const char* name;
   InjectionKind kind;
 };
-constexpr std::array namedKinds{
-    NamedKind{"sphere", InjectionKind::sphere}, NamedKind{"bit", InjectionKind::bit},
-    NamedKind{"coefficient", InjectionKind::coefficient}, NamedKind{"ulp", InjectionKind::ulp},
-    NamedKind{"exponentiation", InjectionKind::exponentiation}};
+constexpr std::array namedKinds{NamedKind{"sphere", InjectionKind::sphere},
+                                NamedKind{"bit", InjectionKind::bit},
+                                NamedKind{"coefficient", InjectionKind::coefficient},
+                                NamedKind{"ulp", InjectionKind::ulp},
+                                NamedKind{"exponentiation", InjectionKind::exponentiation},
+                                NamedKind{"transfer", InjectionKind::transfer}};
 
 float nextUp(float value) {
   return std::nextafter(value, std::numeric_limits<float>::infinity());
@@ -30,7 +32,7 @@ InjectionKind injectionKind(const std::string& name) {
   for (const NamedKind& named : namedKinds)
     if (name == named.name) return named.kind;
   throw InputError("unknown fault '" + name +
-                   "': use sphere, bit, coefficient, ulp or exponentiation");
+                   "': use sphere, bit, coefficient, ulp, exponentiation or transfer");
 }
 
 std::string nameOf(InjectionKind kind) {
@@ -105,6 +107,13 @@ std::vector<glm::vec4> FaultyEngine::shadeByExponentiation(std::span<const Spher
                                                            StageTimes* times) {
   auto radiance = engine_->shadeByExponentiation(spheres, receivers, times);
   if (kind_ == InjectionKind::exponentiation && !radiance.empty()) moveByOneUlp(radiance);
+  return radiance;
+}
+
+std::vector<glm::vec4> FaultyEngine::shadeByTransfer(const TransferReceivers& receivers,
+                                                     StageTimes* times) {
+  auto radiance = engine_->shadeByTransfer(receivers, times);
+  if (kind_ == InjectionKind::transfer && !radiance.empty()) moveByOneUlp(radiance);
   return radiance;
 }
 

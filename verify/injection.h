@@ -22,7 +22,9 @@ enum class InjectionKind {
   /// One channel of a radiance is moved to the next float32 number.
   ulp,
   /// The same, of a radiance by exponentiation.
-  exponentiation
+  exponentiation,
+  /// The same, of a radiance by transfer.
+  transfer
 };
 
 struct Injection {
@@ -30,7 +32,8 @@ struct Injection {
   std::string engine;
 };
 
-/// "sphere", "bit", "coefficient", "ulp" or "exponentiation". Throws InputError for another word.
+/// "sphere", "bit", "coefficient", "ulp", "exponentiation" or "transfer". Throws InputError for
+/// another word.
 InjectionKind injectionKind(const std::string& name);
 std::string nameOf(InjectionKind kind);
 
@@ -63,6 +66,8 @@ class FaultyEngine final : public ForwardingEngine {
                                StageTimes* times) override;
   std::vector<glm::vec4> shadeByExponentiation(std::span<const Sphere> spheres,
                                                ReceiverSpan receivers, StageTimes* times) override;
+  std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
+                                         StageTimes* times) override;
 
  private:
   std::size_t choose(std::size_t count);

@@ -89,7 +89,8 @@ class Run {
     report("comparing", double(index) / double(questions_.count()));
     const auto settings = settingsFor(value, index, index < questions_.fixedCount());
     const auto orders = ordersFor(value, index, index < questions_.fixedCount());
-    const Question question(value, settings, orders);
+    const auto transfers = transferSettingsFor(value, index, index < questions_.fixedCount());
+    const Question question(value, settings, orders, transfers);
     for (const VisibilityKind visibility : {VisibilityKind::exact, VisibilityKind::table}) {
       const Answers answers =
           referenceAnswers(question, visibility == VisibilityKind::table ? table_ : nullptr);
@@ -98,7 +99,7 @@ class Run {
         const bool agreed = !comparison.disagrees();
         comparison.compare(question, answers);
         if (agreed && comparison.disagrees() && !failing_)
-          failing_ = {value, &comparison, settings, orders};
+          failing_ = {value, &comparison, settings, orders, transfers};
       }
     }
   }
@@ -114,7 +115,7 @@ class Run {
     SubjectComparison& comparison = *failing_->comparison;
     const auto table = comparison.visibility() == VisibilityKind::table ? table_ : nullptr;
     return shrunk(failing_->value, [&](const Case& part) {
-      const Question question(part, failing_->settings, failing_->orders);
+      const Question question(part, failing_->settings, failing_->orders, failing_->transfers);
       return comparison.failsOn(question, referenceAnswers(question, table));
     });
   }
@@ -124,6 +125,7 @@ class Run {
     SubjectComparison* comparison;
     std::span<const Setting> settings;
     std::span<const int> orders;
+    std::span<const TransferSetting> transfers;
   };
 
   const RunOptions& options_;

@@ -35,9 +35,9 @@ struct Target {
   const SceneObject* object = nullptr;
 };
 
-const SceneObject& findObject(const Scene& scene, const std::string& name) {
-  for (const SceneObject& object : scene.objects)
-    if (object.name == name) return object;
+std::size_t findObject(const Scene& scene, const std::string& name) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (scene.objects[i].name == name) return i;
   std::string names;
   for (const SceneObject& object : scene.objects)
     names += (names.empty() ? "" : ", ") + object.name;
@@ -47,12 +47,12 @@ const SceneObject& findObject(const Scene& scene, const std::string& name) {
 
 Target bakeTarget(const BakeOptions& options, const Scene& scene) {
   if (!options.object.empty()) {
-    const SceneObject& object = findObject(scene, options.object);
-    auto samples = vertexSamples(object);
+    const std::size_t object = findObject(scene, options.object);
+    auto samples = vertexSamples(scene, object);
     const int count = int(samples.size());
     std::vector<std::uint32_t> texels(samples.size());
     std::iota(texels.begin(), texels.end(), 0u);
-    return {{count, 1}, std::move(texels), std::move(samples), &object};
+    return {{count, 1}, std::move(texels), std::move(samples), &scene.objects[object]};
   }
   if (!scene.receiver)
     throw InputError("the scene has no receiver plane to bake; name an object with --object");
@@ -96,6 +96,7 @@ std::string plyText(const TriangleMesh& mesh, const Image& radiance) {
 
 SceneDescription describe(const BakeOptions& options) {
   SceneDescription scene = describeScene(options.scene);
+  requireOrder(options.compareTo, scene.shading);
   if (!options.size.empty()) {
     if (!scene.receiver) throw InputError("--size needs a receiver plane in the scene");
     scene.receiver->samples = parseReceiverSize(options.size);

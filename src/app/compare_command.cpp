@@ -24,13 +24,14 @@ struct CompareOptions {
   std::string sheet;
 };
 
-/// From the reference image to the coarsest approximation.
-const std::vector<std::string> allMethods{"pixel-mesh", "pixel", "haar", "shexp"};
+/// The exact methods, then the approximations.
+const std::vector<std::string> allMethods{"pixel-mesh", "pixel", "haar", "shexp", "sh"};
 
 constexpr glm::ivec2 defaultSize{480, 270};
 
-SceneDescription describe(const CompareOptions& options) {
+SceneDescription describe(const CompareOptions& options, const std::vector<std::string>& methods) {
   SceneDescription scene = describeScene(options.scene);
+  requireOrder(methods, scene.shading);
   scene.image.width = defaultSize.x;
   scene.image.height = defaultSize.y;
   applyPictureOptions(options.picture, scene.image);
@@ -71,6 +72,14 @@ struct Comparison {
   nlohmann::ordered_json summaries = nlohmann::ordered_json::array();
 };
 
+/// "200 terms, 0.6 s": what cuts the method short, and its time.
+std::string noteOf(const nlohmann::ordered_json& summary, double seconds) {
+  std::string cut;
+  if (summary.contains("terms")) cut = fmt::format("{} terms, ", summary["terms"].get<int>());
+  if (summary.contains("order")) cut = fmt::format("order {}, ", summary["order"].get<int>());
+  return fmt::format("{}{:.2f} s", cut, seconds);
+}
+
 Comparison renderAll(ShadingSetup& setup, const std::vector<std::string>& methods) {
   const SceneDescription& scene = setup.description();
   const ScreenSampler sampler(setup.scene(), cameraAt(scene.camera, 0), scene.image);
@@ -79,11 +88,10 @@ Comparison renderAll(ShadingSetup& setup, const std::vector<std::string>& method
     const auto method = setup.method(choiceOf(shadingMethodNames, name), sampler.overview(), true);
     RenderedImage picture = sampler.render(*method, setup.console().progress());
     const double seconds = method->times().total;
-    comparison.pictures.push_back(
-        {name, fmt::format("{:.2f} s", seconds), std::move(picture.radiance)});
     comparison.surfaceMask = std::move(picture.surfaceMask);
     auto summary = setup.summary(*method);
     summary["seconds"] = seconds;
+    comparison.pictures.push_back({name, noteOf(summary, seconds), std::move(picture.radiance)});
     comparison.summaries.push_back(std::move(summary));
   }
   return comparison;
@@ -108,7 +116,7 @@ void compare(const CompareOptions& options) {
   if (!options.sheet.empty()) checkTarget(options.sheet, {".png"});
   const auto methods = methodsOf(options);
   const auto references = referencesOf(options, methods);
-  ShadingSetup setup(options.scene, describe(options), console);
+  ShadingSetup setup(options.scene, describe(options, methods), console);
   Comparison comparison = renderAll(setup, methods);
   const auto rows = addErrors(comparison, references);
   const ImageDescription& image = setup.description().image;

@@ -8,6 +8,7 @@ nlohmann::ordered_json measureFrameRate(RadianceMethod& method,
                                         std::span<const SurfaceSample> samples) {
   const FrameTiming timing = timeFrames([&] {
     const double before = method.times().total;
+    method.newFrame();
     method.radiance(samples);
     return method.times().total - before;
   });

@@ -115,7 +115,7 @@ Json describeSceneFile(const std::string& name) {
   info["method"] = nameOf(shadingMethodNames, scene.shading.method);
   info["terms"] = scene.shading.terms;
   info["levels"] = scene.shading.levels;
-  info["order"] = scene.shading.order;
+  if (scene.shading.order) info["order"] = *scene.shading.order;
   return info;
 }
 

@@ -16,6 +16,7 @@
 #include "scene/scene_fields.h"
 #include "scene/scene_file.h"
 #include "spheres/sphere_set.h"
+#include "transfer/diffuse_transfer.h"
 
 namespace haarlight {
 
@@ -87,6 +88,7 @@ void applyShading(const SceneOptions& options, ShadingDescription& shading) {
   if (options.terms) shading.terms = *options.terms;
   if (options.levels) shading.levels = *options.levels;
   if (options.order) shading.order = *options.order;
+  if (!options.per.empty()) shading.per = choiceOf(shadedPerNames, options.per);
 }
 
 /// Why `auto` came down to the slowest engine.
@@ -146,7 +148,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   addShadingOptions(command, options);
   const TextOptions text{command};
   text("--method", options.method,
-       "haar, shexp (spherical harmonics), pixel (all texels) or pixel-mesh (rays) [haar]",
+       "haar, pixel (all texels), pixel-mesh (rays), shexp (spherical harmonics) or sh "
+       "(precomputed transfer) [haar]",
        "Computation")
       ->check(CLI::IsMember(namesOf(shadingMethodNames)));
 }
@@ -166,9 +169,23 @@ void addShadingOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("--levels", options.levels, "Levels of visibility, 1 or 2 [2]")
       ->group("Computation")
       ->check(CLI::Range(1, 2));
-  command.add_option("--order", options.order, "Bands of spherical harmonics of shexp, 4 to 6 [4]")
+  command
+      .add_option("--order", options.order,
+                  "Bands of spherical harmonics: of shexp, 4 to 6 [4]; of sh, 1 to 20 [5, or the "
+                  "files']")
       ->group("Computation")
-      ->check(CLI::Range(4, 6));
+      ->check(CLI::Range(1, maximumTransferOrder));
+  text("--per", options.per,
+       "Of sh: vertex (radiance interpolated) or pixel (transfer interpolated) [vertex]",
+       "Computation")
+      ->check(CLI::IsMember(namesOf(shadedPerNames)));
+  command
+      .add_option("--transfer", options.transfer,
+                  "Of sh: transfer by haarlight prt for an object's mesh or the scene; may be "
+                  "repeated")
+      ->allow_extra_args(false)
+      ->group("Computation")
+      ->check(notEmpty());
   text("--visibility", options.visibility,
        "Of spheres, for haar and pixel: exact, or the paper's table (faster) [exact]",
        "Computation")
@@ -178,6 +195,19 @@ void addShadingOptions(CLI::App& command, SceneOptions& options) {
       ->check(CLI::IsMember(namesOf(engineChoiceNames)));
   text("--device", options.device, "Device of the engine: part of its name, or its index",
        "Computation");
+}
+
+int shexpOrder(const ShadingDescription& shading) {
+  constexpr int smallest = 4, largest = 6;
+  const int order = shading.order.value_or(smallest);
+  if (order < smallest || order > largest)
+    throw InputError(fmt::format("the method shexp takes an order from {} to {}, not {}", smallest,
+                                 largest, order));
+  return order;
+}
+
+void requireOrder(const std::vector<std::string>& methods, const ShadingDescription& shading) {
+  if (std::ranges::count(methods, "shexp") > 0) shexpOrder(shading);
 }
 
 SceneDescription describeScene(const SceneOptions& options) {
@@ -197,6 +227,7 @@ SceneDescription describeScene(const SceneOptions& options) {
   if (!options.objective.empty())
     for (ObjectDescription& object : scene.objects)
       object.objective = choiceOf(fitObjectiveNames, options.objective);
+  if (scene.shading.method == ShadingMethod::Shexp) shexpOrder(scene.shading);
   if (!options.device.empty() && scene.shading.engine == EngineChoice::Reference)
     throw InputError(
         "--device is for the engines opencl and cuda, not for reference; leave one of them out");

@@ -41,6 +41,8 @@ struct SceneOptions {
   std::optional<int> terms;
   std::optional<int> levels;
   std::optional<int> order;
+  std::string per;
+  std::vector<std::string> transfer;
   std::string visibility;
   std::string engine;
   std::string device;
@@ -53,6 +55,13 @@ void addSceneContentOptions(CLI::App& command, SceneOptions& options);
 
 /// Those that say how it is shaded, but for the method.
 void addShadingOptions(CLI::App& command, SceneOptions& options);
+
+/// Bands of visibility of the method shexp. Throws InputError when it does not have the order asked
+/// for.
+int shexpOrder(const ShadingDescription& shading);
+
+/// Throws InputError when one of these methods does not have the order asked for.
+void requireOrder(const std::vector<std::string>& methods, const ShadingDescription& shading);
 
 /// The scene that the options ask for; without a scene and a mesh the built-in default. Throws
 /// InputError.

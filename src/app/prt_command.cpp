@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/options.h"
@@ -9,6 +11,9 @@
 #include "base/stopwatch.h"
 #include "mesh/mesh_file.h"
 #include "mesh/text_lines.h"
+#include "render/scene_transfer.h"
+#include "scene/names.h"
+#include "scene/scene_file.h"
 #include "transfer/transfer_file.h"
 
 namespace haarlight {
@@ -21,6 +26,7 @@ struct PrtOptions {
   std::string output;
   std::optional<std::string> albedo;
   bool unshadowed = false;
+  bool bouncesGiven = false;
   TransferOptions transfer;
 };
 
@@ -42,8 +48,29 @@ glm::vec3 parseAlbedo(const std::string& text) {
                    "'");
 }
 
+bool isScene(const std::string& name) {
+  return name.ends_with(".json") || std::ranges::find(builtinScenes, name) != builtinScenes.end();
+}
+
+/// A mesh, or all of a scene as it is at second 0, which needs no more than one sphere an object.
+LoadedMesh load(const std::string& name, Console& console) {
+  if (!isScene(name)) return loadMeshOrBuiltin(name);
+  SceneDescription description = readScene(name);
+  for (ObjectDescription& object : description.objects) object.spheres = 1;
+  const Scene scene = loadScene(description, console.progress());
+  return {wholeSceneMesh(scene), {}, {}, scene.warnings};
+}
+
 TransferOptions transferOptions(const PrtOptions& options) {
   TransferOptions transfer = options.transfer;
+  if (isScene(options.mesh)) {
+    if (options.albedo || options.bouncesGiven)
+      throw InputError(
+          "the transfer of a scene has shadows alone, and the scene's albedo: leave --bounces and "
+          "--albedo out");
+    transfer.albedo = glm::vec3(1);
+    transfer.bounces = 0;
+  }
   if (options.albedo) transfer.albedo = parseAlbedo(*options.albedo);
   if (options.unshadowed)
     transfer.kind = TransferKind::unshadowed;
@@ -71,7 +98,7 @@ void prt(const PrtOptions& options) {
   const TransferOptions transfer = transferOptions(options);
   const InterruptWatch interrupt;
   Stopwatch watch;
-  const LoadedMesh loaded = loadMeshOrBuiltin(options.mesh);
+  const LoadedMesh loaded = load(options.mesh, console);
   for (const std::string& warning : loaded.warnings) console.warning(options.mesh + ": " + warning);
   const double loading = watch.lap();
   const TransferResult result = computeTransfer(
@@ -98,10 +125,13 @@ void addPrtCommand(CLI::App& app) {
       "Examples:\n"
       "  haarlight prt bunny.obj -o transfer.prt --order 5 --bounces 2\n"
       "  haarlight prt bunny.obj -o transfer.prt --albedo 0.8,0.5,0.3 --rays 4096\n"
+      "  haarlight prt scene.json -o scene.prt --order 4\n"
       "Ctrl-C ends it without a file.");
   command
-      ->add_option("MESH", options->mesh,
-                   "OBJ, PLY, OFF or STL file, or builtin:torusknot, builtin:sphere")
+      ->add_option(
+          "MESH", options->mesh,
+          "OBJ, PLY, OFF or STL file, or builtin:torusknot, builtin:sphere; or a scene, for "
+          "all of its objects and its receiver")
       ->required();
   command->add_option("-o,--output", options->output, "Transfer to write (.prt)")->required();
   command
@@ -126,7 +156,10 @@ void addPrtCommand(CLI::App& app) {
                       "Of the whole mesh: R,G,B, or one number for grey [0.5]");
   addSeedOption(*command, options->transfer.seed, "Seed of the rays' directions");
   addGeneralOptions(*command, options->general);
-  command->callback([options] { prt(*options); });
+  command->callback([options, bounces] {
+    options->bouncesGiven = bounces->count() > 0;
+    prt(*options);
+  });
 }
 
 }  // namespace haarlight

@@ -38,6 +38,7 @@ struct RenderOptions {
 
 SceneDescription describe(const RenderOptions& options) {
   SceneDescription scene = describeScene(options.scene);
+  requireOrder(options.compareTo, scene.shading);
   applyPictureOptions(options.picture, scene.image);
   if (options.framesPerSecond) scene.animation.framesPerSecond = *options.framesPerSecond;
   return scene;
@@ -127,6 +128,7 @@ void renderAnimation(const RenderOptions& options, Console& console) {
   checkFrameTargets(options.outputs, settings.range, scene.animation.framesPerSecond,
                     settings.resume);
   ShadingSetup setup(options.scene, std::move(scene), console);
+  setup.requireStillObjects();
   if (!setup.moves() && settings.range.count() > 1)
     console.warning("nothing in this scene moves: all frames are alike");
   console.results(renderFrames(setup, options.outputs, settings));

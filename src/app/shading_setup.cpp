@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/version.h"
+#include "base/error.h"
 #include "base/stopwatch.h"
 #include "scene/names.h"
 
@@ -30,10 +31,35 @@ ShadingSetup::ShadingSetup(const SceneOptions& options, SceneDescription descrip
       console_(console),
       moving_(description_, console.progress()) {
   for (const std::string& warning : scene().warnings) console.warning(warning);
+  if (!description_.light.samples.empty() && description_.shading.method != ShadingMethod::Sh)
+    console.warning("only the method sh knows light.samples; others take the light alone");
   const LightProjection& projection = scene().light.projection;
   console.message(fmt::format("light: {}; {:.3f} % of its power is on the cube",
                               scene().light.environment->description(),
                               100 * projection.powerRatio));
+}
+
+void ShadingSetup::requireStillObjects() const {
+  if (description_.shading.method != ShadingMethod::Sh) return;
+  for (std::size_t i = 0; i < scene().objects.size(); ++i)
+    if (moving_.objects()[i].moves())
+      throw InputError("object '" + scene().objects[i].name +
+                       "' moves, and transfer is for one pose: use --method haar or shexp");
+}
+
+std::shared_ptr<const SceneTransfer> ShadingSetup::transfer() {
+  if (transfer_) return transfer_;
+  const std::vector<std::filesystem::path> files(options_.transfer.begin(),
+                                                 options_.transfer.end());
+  const Stopwatch watch;
+  transfer_ = std::make_shared<const SceneTransfer>(makeSceneTransfer(
+      description_, moving_, files, description_.shading.order, console_.progress()));
+  transferSeconds_ = watch.total();
+  for (const std::string& warning : transfer_->warnings) console_.warning(warning);
+  console_.message(fmt::format("transfer of {} vertices, order {}, ready in {:.2f} s",
+                               transfer_->rows.rowCount(), transfer_->rows.order,
+                               transferSeconds_));
+  return transfer_;
 }
 
 std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
@@ -47,7 +73,10 @@ std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
     engine_->setSphereBinding(moving_.binding());
   }
   if (which == ShadingMethod::Shexp)
-    return makeShexpMethod(scene(), engine_, description_.shading.order, typicalSamples, anyNormal);
+    return makeShexpMethod(scene(), engine_, shexpOrder(description_.shading), typicalSamples,
+                           anyNormal);
+  if (which == ShadingMethod::Sh)
+    return makeTransferMethod(scene(), engine_, transfer(), description_.shading.per);
   ShadingSettings settings;
   settings.terms = description_.shading.terms;
   settings.levels = description_.shading.levels;
@@ -62,7 +91,7 @@ ShowTimes ShadingSetup::show(double seconds, RadianceMethod& method) {
   moving_.showSpheres(engine_ ? engine_->moveSpheres(moving_.boundVertices())
                               : moveSpheres(moving_.binding(), moving_.boundVertices()));
   times.spheres = watch.lap();
-  method.sceneChanged(moving_.showLight(seconds));
+  method.sceneChanged(moving_.showLight(seconds, method.readsLightCube()));
   times.light = watch.lap();
   return times;
 }
@@ -73,7 +102,14 @@ nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const
     summary["terms"] = description_.shading.terms;
     summary["levels"] = description_.shading.levels;
   }
-  if (method.name() == "shexp") summary["order"] = description_.shading.order;
+  if (method.name() == "shexp") summary["order"] = shexpOrder(description_.shading);
+  if (method.name() == "sh") {
+    summary["order"] = transfer_->rows.order;
+    summary["per"] = nameOf(shadedPerNames, description_.shading.per);
+    summary["transfer_channels"] = transfer_->rows.channels;
+    summary["vertices"] = transfer_->rows.rowCount();
+    summary["transfer_seconds"] = transferSeconds_;  // before any shading
+  }
   if (usesVisibilityKind(method))
     summary["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
   summary["spheres"] = sphereCount(scene());
@@ -94,7 +130,11 @@ ImageAttributes ShadingSetup::attributes(const RadianceMethod& method) const {
     attributes["terms"] = description_.shading.terms;
     attributes["levels"] = description_.shading.levels;
   }
-  if (method.name() == "shexp") attributes["order"] = description_.shading.order;
+  if (method.name() == "shexp") attributes["order"] = shexpOrder(description_.shading);
+  if (method.name() == "sh") {
+    attributes["order"] = transfer_->rows.order;
+    attributes["per"] = nameOf(shadedPerNames, description_.shading.per);
+  }
   return attributes;
 }
 

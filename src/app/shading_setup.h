@@ -29,6 +29,9 @@ class ShadingSetup {
   bool moves() const { return moving_.moves(); }
   Console& console() { return console_; }
 
+  /// Throws InputError when the scene's method is sh and an object moves: transfer is for one pose.
+  void requireStillObjects() const;
+
   /// The scene's method, or another; the engine is opened when the method needs it.
   std::unique_ptr<RadianceMethod> method(ShadingMethod which,
                                          std::span<const SurfaceSample> typicalSamples,
@@ -44,12 +47,16 @@ class ShadingSetup {
   ImageAttributes attributes(const RadianceMethod& method) const;
 
  private:
+  std::shared_ptr<const SceneTransfer> transfer();
+
   const SceneOptions& options_;
   SceneDescription description_;
   Console& console_;
   MovingScene moving_;
   std::shared_ptr<const SphereTable> table_;
   std::shared_ptr<Engine> engine_;
+  std::shared_ptr<const SceneTransfer> transfer_;
+  double transferSeconds_ = 0;  ///< reading or computing it took
 };
 
 nlohmann::ordered_json describeStages(const StageTimes& times);

@@ -35,9 +35,12 @@ SceneDescription describe(const TrackOptions& options) {
   if (options.framesPerSecond) scene.animation.framesPerSecond = *options.framesPerSecond;
   if (options.compareTo.empty()) return scene;
   if (!scene.receiver) throw InputError("--compare-to needs a receiver plane in the scene");
-  if (scene.shading.method == ShadingMethod::PixelMesh)
+  const ShadingMethod method = scene.shading.method;
+  if (method == ShadingMethod::PixelMesh)
     throw InputError(
         "--compare-to compares the method haar, pixel or shexp, not pixel-mesh with itself");
+  if (method == ShadingMethod::Sh)
+    throw InputError("--compare-to compares the method haar, pixel or shexp, not sh: objects move");
   return scene;
 }
 
@@ -49,7 +52,7 @@ MethodMaker methodMaker(const TrackOptions& options, const SceneDescription& sce
     if (scene.shading.method == ShadingMethod::Pixel) return makePixelMethod(loaded, table);
     const auto engine = openEngine(options.scene, scene, table, console);
     if (scene.shading.method == ShadingMethod::Shexp)
-      return makeShexpMethod(loaded, engine, scene.shading.order, samples, false);
+      return makeShexpMethod(loaded, engine, shexpOrder(scene.shading), samples, false);
     const ShadingSettings settings{.terms = scene.shading.terms, .levels = scene.shading.levels};
     return makeHaarMethod(loaded, engine, settings, samples, false);
   };

@@ -134,8 +134,8 @@ void addVerifyCommand(CLI::App& app) {
   command
       ->add_option(
           "--inject", options->inject,
-          "Put faults into an engine's results, to see them found: sphere, bit, coefficient, ulp "
-          "or exponentiation, and the engine")
+          "Put faults into an engine's results, to see them found: sphere, bit, coefficient, ulp, "
+          "exponentiation or transfer, and the engine")
       ->expected(2)
       ->type_name("FAULT ENGINE")
       ->group("Computation");

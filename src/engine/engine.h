@@ -11,6 +11,7 @@
 #include "engine/receivers.h"
 #include "engine/shading_tables.h"
 #include "engine/stage_times.h"
+#include "engine/transfer_tables.h"
 #include "haar/occlusion_transform.h"
 #include "visibility/sphere.h"
 #include "visibility/sphere_binding.h"
@@ -41,9 +42,10 @@ struct DeviceUse {
 /// triple product: occlusion, light, lobes → radiance
 ///
 /// shade() runs all three without anything leaving the device in between, as three kernels or fused
-/// into one. shadeByExponentiation() shades the same samples by spherical harmonics instead. The
-/// other calls run single steps and bring their results back, so that engines can be compared stage
-/// by stage (verify/). All engines give the same bits (docs/numerics.md).
+/// into one. shadeByExponentiation() shades the same samples by spherical harmonics instead, and
+/// shadeByTransfer() vertices whose light was precomputed. The other calls run single steps and
+/// bring their results back, so that engines can be compared stage by stage (verify/). All engines
+/// give the same bits (docs/numerics.md).
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -97,6 +99,16 @@ class Engine {
   virtual std::vector<glm::vec4> shadeByExponentiation(std::span<const Sphere> spheres,
                                                        ReceiverSpan receivers,
                                                        StageTimes* times = nullptr) = 0;
+
+  /// Sets the rows of transfer of the following shadeByTransfer() calls, and the lights, which may
+  /// change while the rows stay.
+  virtual void setTransferRows(const TransferRows& rows) = 0;
+  virtual void setTransferLights(const TransferLights& lights) = 0;
+
+  /// Radiance (RGB, 0) by precomputed diffuse transfer; what the rows hold, such as the albedo, is
+  /// in it. Throws std::invalid_argument as requireTransfer() does.
+  virtual std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
+                                                 StageTimes* times = nullptr) = 0;
 };
 
 /// The scalar engine: one thread, written to be read beside the paper. Without a table its

@@ -16,8 +16,8 @@
 ///
 /// A receiver's integrals are the blend of its lobes', the first by multiplication, the others by
 /// fma. Coefficient k goes into partial sum k mod 32, by fma, rows to their padded end; the partial
-/// sums are added as a tree (base/canonical_order.h). What is below zero, by ringing of V, becomes
-/// zero.
+/// sums are added as a tree (base/canonical_order.h). What is not above zero, as by ringing of
+/// V, becomes zero.
 
 #include <cstdint>
 #include <span>

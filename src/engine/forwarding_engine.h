@@ -51,6 +51,14 @@ class ForwardingEngine : public Engine {
                                                ReceiverSpan receivers, StageTimes* times) override {
     return engine_->shadeByExponentiation(spheres, receivers, times);
   }
+  void setTransferRows(const TransferRows& rows) override { engine_->setTransferRows(rows); }
+  void setTransferLights(const TransferLights& lights) override {
+    engine_->setTransferLights(lights);
+  }
+  std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
+                                         StageTimes* times) override {
+    return engine_->shadeByTransfer(receivers, times);
+  }
 
  protected:
   std::unique_ptr<Engine> engine_;

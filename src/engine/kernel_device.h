@@ -32,10 +32,10 @@ using CommandSeconds = std::function<double()>;
 inline constexpr int tileSamples = 16;
 
 /// The kernels of every device.
-inline constexpr std::array<std::string_view, 10> kernelNames{
-    "moveSpheres",        "sphereTableEntries",   "mergeBitCubes", "mergeBitCubesExactly",
-    "transformOcclusion", "tripleProduct",        "spreadWeights", "shadeByTable",
-    "shadeExactly",       "shadeByExponentiation"};
+inline constexpr std::array<std::string_view, 12> kernelNames{
+    "moveSpheres",        "sphereTableEntries",    "mergeBitCubes",   "mergeBitCubesExactly",
+    "transformOcclusion", "tripleProduct",         "spreadWeights",   "shadeByTable",
+    "shadeExactly",       "shadeByExponentiation", "shadeByTransfer", "shadeByFourCoefficients"};
 
 /// What the kernel engine (kernel_engine.h) needs of a compute API: memory, copies and launches, in
 /// order. One implementation per API; the kernels of all of them have the same names, arguments and

@@ -8,6 +8,7 @@
 #include "engine/steps/exponentiation_path.h"
 #include "engine/steps/fused_path.h"
 #include "engine/steps/staged_path.h"
+#include "engine/steps/transfer_path.h"
 
 namespace haarlight {
 
@@ -53,6 +54,10 @@ class KernelEngine final : public Engine {
                                                ReceiverSpan receivers, StageTimes* times) override {
     return shadeInBatches(exponentiation_, spheres, receivers, times);
   }
+  void setTransferRows(const TransferRows& rows) override { transfer_.setRows(rows); }
+  void setTransferLights(const TransferLights& lights) override { transfer_.setLights(lights); }
+  std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
+                                         StageTimes* times) override;
 
  private:
   template <typename Path>
@@ -67,6 +72,7 @@ class KernelEngine final : public Engine {
   StagedPath staged_{queue_, frame_, shading_};
   FusedPath fused_{queue_, frame_, shading_};
   ExponentiationPath exponentiation_{queue_, frame_};
+  TransferPath transfer_{queue_};
   FramePath path_;
   double preparationSeconds_ = 0;
 };
@@ -137,6 +143,16 @@ std::vector<glm::vec4> KernelEngine::shadeInBatches(Path& path, std::span<const 
     const std::size_t count = std::min(path.batchSize(), receivers.size() - first);
     path.shade(receivers.part(first, count), std::span(radiance).subspan(first, count), stages);
   }
+  stages.total += watch.total();
+  return radiance;
+}
+
+std::vector<glm::vec4> KernelEngine::shadeByTransfer(const TransferReceivers& receivers,
+                                                     StageTimes* times) {
+  StageTimes ignored;
+  StageTimes& stages = times ? *times : ignored;
+  const Stopwatch watch;
+  auto radiance = transfer_.shade(receivers, stages);
   stages.total += watch.total();
   return radiance;
 }

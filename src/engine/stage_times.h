@@ -19,7 +19,7 @@ enum class FramePath {
 /// steps that it does not have.
 struct StageTimes {
   double upload = 0;
-  /// The fused path's kernels, or that of exponentiation.
+  /// The fused path's kernels, or those of exponentiation or of transfer.
   double fused = 0;
   double merge = 0;
   double transform = 0;

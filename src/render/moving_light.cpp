@@ -16,6 +16,8 @@ std::vector<LightSource> sourcesOf(const LightDescription& description) {
   if (description.motion)
     for (const LightKey& key : description.motion->keys)
       if (key.source) sources.push_back({*key.source, key.layout});
+  for (const LightSampleDescription& sample : description.samples)
+    sources.push_back({sample.source, sample.layout});
   return sources;
 }
 
@@ -48,27 +50,39 @@ MovingLight::MovingLight(const LightDescription& description, std::vector<std::s
 }
 
 std::shared_ptr<const Environment> MovingLight::environmentOf(const LightSource& source,
-                                                              const SkySettings& sky) const {
-  if (isSky(source)) return makeBuiltinLight(source.source, sky);
-  return environments_.at({source.source, source.layout});
+                                                              const SkySettings& sky) {
+  if (!isSky(source)) return environments_.at({source.source, source.layout});
+  auto& [settings, made] = skies_[source.source];
+  if (!made || settings != sky) {
+    settings = sky;
+    made = makeBuiltinLight(source.source, sky);
+  }
+  return made;
 }
 
-std::shared_ptr<const Environment> MovingLight::environmentAt(const LightState& state) const {
+std::shared_ptr<const Environment> MovingLight::environmentAt(const LightState& state) {
   auto from = environmentOf(state.from, state.sky);
   if (state.fraction == 0 || state.from == state.to) return from;
   return std::make_shared<BlendedEnvironment>(std::move(from), environmentOf(state.to, state.sky),
                                               state.fraction);
 }
 
-bool MovingLight::show(double seconds, SceneLight& light) {
+bool MovingLight::show(double seconds, SceneLight& light, bool ontoCube) {
   LightState state = lightAt(description_, seconds);
   if (state.from == state.to) state.fraction = 0;
-  if (shown_ == state) return false;
+  if (shown_ == state && (isOnCube_ || !ontoCube)) return false;
   shown_ = state;
   light.environment = environmentAt(state);
   light.rotation = yawRotation(state.rotateDegrees);
   light.scale = float(state.scale);
-  light.projection = projectToCube(*light.environment, light.rotation, light.scale);
+  if (ontoCube) light.projection = projectToCube(*light.environment, light.rotation, light.scale);
+  isOnCube_ = ontoCube;
+  light.samples.clear();
+  for (const LightSampleDescription& sample : description_.samples)
+    light.samples.push_back({glm::vec3(sample.position),
+                             environmentOf({sample.source, sample.layout}, state.sky),
+                             yawRotation(state.rotateDegrees + sample.rotateDegrees),
+                             float(state.scale * sample.scale)});
   return true;
 }
 

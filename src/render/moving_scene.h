@@ -26,6 +26,9 @@ class MovingScene {
   /// Whether anything, the camera included, changes over time.
   bool moves() const;
 
+  /// The objects with all that moves them, in the order of scene().objects.
+  const std::vector<MovingObject>& objects() const { return objects_; }
+
   /// As shown.
   const Scene& scene() const { return scene_; }
 
@@ -36,8 +39,10 @@ class MovingScene {
   /// once, then showMeshes, showSpheres(Engine::moveSpheres(boundVertices())), showLight.
   void showMeshes(double seconds);
   void showSpheres(std::span<const Sphere> spheres);
-  /// Returns whether the light has changed.
-  bool showLight(double seconds) { return light_.show(seconds, scene_.light); }
+  /// Returns whether the light has changed; `ontoCube` as for MovingLight.
+  bool showLight(double seconds, bool ontoCube = true) {
+    return light_.show(seconds, scene_.light, ontoCube);
+  }
 
   /// Binds the spheres of all moving objects that cast shadows, in order of the objects, to
   /// boundVertices().

@@ -7,6 +7,7 @@
 
 #include "engine/devices.h"
 #include "render/scene.h"
+#include "render/scene_transfer.h"
 #include "render/surface_sample.h"
 
 namespace haarlight {
@@ -16,7 +17,7 @@ class RadianceMethod {
  public:
   virtual ~RadianceMethod() = default;
 
-  /// "haar", "shexp", "pixel", "pixel-mesh" or "pixel-rays".
+  /// "haar", "pixel", "pixel-mesh", "pixel-rays", "shexp" or "sh".
   virtual std::string name() const = 0;
   /// What computes it, in words.
   virtual std::string deviceName() const = 0;
@@ -25,10 +26,16 @@ class RadianceMethod {
   /// and its light only where `lightToo` says so.
   virtual void sceneChanged(bool lightToo) = 0;
 
+  /// Whether the light is read from its projection onto the cube.
+  virtual bool readsLightCube() const { return true; }
+
+  /// To be called before the samples of another frame, where one is shaded again for measuring.
+  virtual void newFrame() {}
+
   /// Radiance (albedo included) of every sample.
   virtual std::vector<glm::vec3> radiance(std::span<const SurfaceSample> samples) = 0;
 
-  /// Seconds of all calls so far; only `haar` and `shexp` know their stages, the others their
+  /// Seconds of all calls so far; only `haar`, `shexp` and `sh` know their stages, the others their
   /// total.
   const StageTimes& times() const { return times_; }
 
@@ -51,6 +58,13 @@ std::unique_ptr<RadianceMethod> makeShexpMethod(const Scene& scene, std::shared_
                                                 int order,
                                                 std::span<const SurfaceSample> typicalSamples,
                                                 bool anyNormal);
+
+/// Precomputed diffuse transfer on an engine. Objects and receiver stay where they are: only the
+/// light of the scene may change. Backs of surfaces, of which no transfer is known, are black.
+std::unique_ptr<RadianceMethod> makeTransferMethod(const Scene& scene,
+                                                   std::shared_ptr<Engine> engine,
+                                                   std::shared_ptr<const SceneTransfer> transfer,
+                                                   ShadedPer per);
 
 /// The exact sum over the 6144 texels, blocked by the spheres as the table has them or, without
 /// one, exactly; in double on all threads.

@@ -63,8 +63,20 @@ struct ScreenSampler::Implementation {
     const bool fromBehind = glm::dot(hit->geometricNormal, ray.direction) > 0;
     const float side = fromBehind ? -1.0f : 1.0f;
     ray.hit = {hit->position, side * hit->shadingNormal, side * hit->geometricNormal,
-               albedos[hit->object]};
+               albedos[hit->object], meshPoint(*hit, ray.direction)};
     return ray;
+  }
+
+  MeshPoint meshPoint(const RayHit& hit, const glm::vec3& direction) const {
+    MeshPoint point;
+    const float side = glm::dot(hit.geometricNormal, hit.shadingNormal);
+    point.fromBehind = side * glm::dot(hit.geometricNormal, direction) > 0;
+    if (hit.object == scene.objects.size()) return point;
+    const glm::vec2 b = hit.barycentric;
+    point.object = hit.object;
+    point.vertices = scene.objects[hit.object].mesh.triangles[hit.triangle];
+    point.weights = {1 - b.x - b.y, b.x, b.y};
+    return point;
   }
 
   int raysPerPixel() const { return gridSide * gridSide; }

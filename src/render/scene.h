@@ -24,12 +24,22 @@ struct SceneObject {
   bool castsShadow;
 };
 
+/// Light as it was measured at a place.
+struct SceneLightSample {
+  glm::vec3 position;
+  std::shared_ptr<const Environment> environment;
+  glm::mat3 rotation;
+  float scale;
+};
+
 struct SceneLight {
   std::shared_ptr<const Environment> environment;
   glm::mat3 rotation;
   float scale;
   /// Of the light as rotated and scaled.
   LightProjection projection;
+  /// For methods that know near light, what shines on surfaces instead, if there are any.
+  std::vector<SceneLightSample> samples;
 
   /// Radiance from a world direction, for backgrounds.
   glm::vec3 radiance(const glm::vec3& direction) const;

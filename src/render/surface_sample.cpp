@@ -12,8 +12,11 @@ std::vector<SurfaceSample> planeSamples(const ReceiverDescription& receiver) {
     for (int column = 0; column < receiver.samples.x; ++column) {
       const double x = ((column + 0.5) / receiver.samples.x - 0.5) * receiver.size.x;
       const double z = ((row + 0.5) / receiver.samples.y - 0.5) * receiver.size.y;
-      samples.push_back(
-          {glm::vec3(receiver.center + glm::dvec3(x, 0, z)), up, up, glm::vec3(receiver.albedo)});
+      samples.push_back({glm::vec3(receiver.center + glm::dvec3(x, 0, z)),
+                         up,
+                         up,
+                         glm::vec3(receiver.albedo),
+                         {}});
     }
   return samples;
 }
@@ -22,12 +25,14 @@ std::vector<SurfaceSample> planeSamplesInTiles(const ReceiverDescription& receiv
   return inOrder(planeSamples(receiver), tileOrder(receiver.samples.x, receiver.samples.y));
 }
 
-std::vector<SurfaceSample> vertexSamples(const SceneObject& object) {
+std::vector<SurfaceSample> vertexSamples(const Scene& scene, std::size_t object) {
+  const TriangleMesh& mesh = scene.objects[object].mesh;
+  const glm::vec3 albedo = scene.objects[object].albedo;
   std::vector<SurfaceSample> samples;
-  samples.reserve(object.mesh.positions.size());
-  for (std::size_t i = 0; i < object.mesh.positions.size(); ++i)
-    samples.push_back(
-        {object.mesh.positions[i], object.mesh.normals[i], object.mesh.normals[i], object.albedo});
+  samples.reserve(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    samples.push_back({mesh.positions[i], mesh.normals[i], mesh.normals[i], albedo,
+                       MeshPoint{std::uint32_t(object), glm::uvec3(i)}});
   return samples;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -7,12 +8,23 @@
 
 namespace haarlight {
 
+/// Where a sample lies on the scene's meshes, for methods that know something of their vertices.
+struct MeshPoint {
+  static constexpr std::uint32_t onReceiver = ~0u;
+
+  std::uint32_t object = onReceiver;  ///< index of the object, or the receiver
+  glm::uvec3 vertices{0};             ///< the object's, of the triangle that holds the point
+  glm::vec3 weights{1, 0, 0};         ///< of those, Σ = 1
+  bool fromBehind = false;            ///< seen from the side that the vertices' normals turn from
+};
+
 /// A point of a surface at which radiance is wanted.
 struct SurfaceSample {
   glm::vec3 position;
   glm::vec3 normal;           ///< unit, for shading
   glm::vec3 geometricNormal;  ///< unit, of the surface itself, on the seen side
   glm::vec3 albedo;
+  MeshPoint point;
 };
 
 /// The receiver's samples at its texels' centres: columns along +x, rows along +z, row by row.
@@ -21,7 +33,7 @@ std::vector<SurfaceSample> planeSamples(const ReceiverDescription& receiver);
 /// The same in tiles (engine/tile_order.h), in which engines shade them fastest.
 std::vector<SurfaceSample> planeSamplesInTiles(const ReceiverDescription& receiver);
 
-/// One sample per vertex.
-std::vector<SurfaceSample> vertexSamples(const SceneObject& object);
+/// One sample per vertex of the scene's object with an index.
+std::vector<SurfaceSample> vertexSamples(const Scene& scene, std::size_t object);
 
 }  // namespace haarlight

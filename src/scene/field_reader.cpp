@@ -62,6 +62,10 @@ void FieldReader::integer(const char* name, int& value, const Range& range) {
   if (const auto field = find(name)) value = field->integer(range);
 }
 
+void FieldReader::integer(const char* name, std::optional<int>& value, const Range& range) {
+  if (const auto field = find(name)) value = field->integer(range);
+}
+
 void FieldReader::number(const char* name, double& value, const Range& range) {
   if (const auto field = find(name)) value = field->number(range);
 }

@@ -21,6 +21,7 @@ class FieldReader {
 
   void flag(const char* name, bool& value);
   void integer(const char* name, int& value, const Range& range);
+  void integer(const char* name, std::optional<int>& value, const Range& range);
   void number(const char* name, double& value, const Range& range);
   void number(const char* name, std::optional<double>& value, const Range& range);
   void text(const char* name, std::string& value);

@@ -19,6 +19,9 @@ class FieldWriter {
  public:
   void flag(const char* name, bool value) { json_[name] = value; }
   void integer(const char* name, int value, const Range&) { json_[name] = value; }
+  void integer(const char* name, const std::optional<int>& value, const Range& range) {
+    if (value) integer(name, *value, range);
+  }
   void number(const char* name, double value, const Range&) { json_[name] = value; }
   void number(const char* name, const std::optional<double>& value, const Range& range) {
     if (value) number(name, *value, range);

@@ -30,11 +30,17 @@ inline constexpr std::array<Named<Rest>, 2> restNames{{
 inline constexpr std::array<std::string_view, 5> lightLayouts{"auto", "latlong", "vcross", "hcross",
                                                               "angular"};
 
-inline constexpr std::array<Named<ShadingMethod>, 4> shadingMethodNames{{
+inline constexpr std::array<Named<ShadingMethod>, 5> shadingMethodNames{{
     {"haar", ShadingMethod::Haar},
     {"pixel", ShadingMethod::Pixel},
     {"pixel-mesh", ShadingMethod::PixelMesh},
     {"shexp", ShadingMethod::Shexp},
+    {"sh", ShadingMethod::Sh},
+}};
+
+inline constexpr std::array<Named<ShadedPer>, 2> shadedPerNames{{
+    {"vertex", ShadedPer::vertex},
+    {"pixel", ShadedPer::pixel},
 }};
 
 inline constexpr std::array<Named<VisibilityKind>, 2> visibilityKindNames{{

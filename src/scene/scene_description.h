@@ -53,6 +53,9 @@ struct ObjectDescription {
   FitObjective objective = FitObjective::shadow;
   /// Whether the object blocks light.
   bool castsShadow = true;
+  /// Precomputed transfer of the mesh as its file has it, for the method sh; nothing: computed at
+  /// the start, with the shadows of the whole scene.
+  std::optional<std::filesystem::path> transfer;
   /// How the mesh changes its shape; nothing: not at all, or as a glTF file's first animation says.
   std::optional<DeformationDescription> deformation;
   /// How the object moves after `transform`.
@@ -71,6 +74,17 @@ struct ReceiverDescription {
   glm::dvec3 albedo{0.5, 0.5, 0.5};
 };
 
+/// Light as it was measured at a place of the scene.
+struct LightSampleDescription {
+  /// World units.
+  glm::dvec3 position{0, 0, 0};
+  /// As LightDescription has them; rotation and scale come on top of the light's.
+  std::string source;
+  std::string layout = "auto";
+  double rotateDegrees = 0;
+  double scale = 1;
+};
+
 /// The distant light all around.
 struct LightDescription {
   /// Path of an EXR or Radiance HDR image, or a name of builtinLightNames
@@ -86,6 +100,9 @@ struct LightDescription {
   std::optional<LightMotionDescription> motion;
   /// Where the sun stands and what else a source that is a sky leaves open; nothing: the defaults.
   std::optional<SkySettings> sky;
+  /// Near light, for the method sh: these shine on surfaces instead of `source`, blended by the
+  /// inverse squares of their distances.
+  std::vector<LightSampleDescription> samples;
 };
 
 /// A pinhole camera.
@@ -115,8 +132,14 @@ struct ImageDescription {
 };
 
 /// Haar: triple products of wavelet coefficients. Pixel: sum over the texels of the cube, blocked
-/// by the spheres. PixelMesh: the same, blocked by the meshes (the reference image).
-enum class ShadingMethod { Haar, Pixel, PixelMesh, Shexp };
+/// by the spheres. PixelMesh: the same, blocked by the meshes (the reference image). Shexp: the
+/// spheres' visibility in spherical harmonics. Sh: diffuse transfer of meshes that stand still,
+/// precomputed in spherical harmonics.
+enum class ShadingMethod { Haar, Pixel, PixelMesh, Shexp, Sh };
+
+/// Where the method sh multiplies light by transfer: at vertices, between which radiance is
+/// interpolated, or at pixels, for which transfer is interpolated.
+enum class ShadedPer { vertex, pixel };
 
 /// Which engine computes. Auto: OpenCL when there is a device, else the reference engine.
 enum class EngineChoice { Auto, Reference, OpenCl, Cuda, CudaHost };
@@ -128,8 +151,10 @@ struct ShadingDescription {
   int terms = 200;
   /// 1: visibility coefficients down to squares of 4x4 texels; 2: down to the texel.
   int levels = 2;
-  /// Bands of spherical harmonics that the method shexp has visibility in.
-  int order = 4;
+  /// Bands of spherical harmonics of the methods shexp and sh; nothing: what the method takes when
+  /// not told.
+  std::optional<int> order;
+  ShadedPer per = ShadedPer::vertex;
   /// How the spheres' visibility is found, for the methods haar and pixel.
   VisibilityKind visibility = VisibilityKind::exact;
   EngineChoice engine = EngineChoice::Auto;

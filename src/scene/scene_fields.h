@@ -31,6 +31,7 @@ void visitFields(Fields& fields, ObjectDescription& object) {
   fields.countOrFile("spheres", object.spheres, Range{1, 4096});
   fields.choice("objective", object.objective, fitObjectiveNames);
   fields.flag("castsShadow", object.castsShadow);
+  fields.path("transfer", object.transfer);
   fields.object("deformation", object.deformation);
   fields.object("motion", object.motion);
 }
@@ -53,12 +54,23 @@ void visitFields(Fields& fields, SkySettings& sky) {
 }
 
 template <typename Fields>
+void visitFields(Fields& fields, LightSampleDescription& sample) {
+  fields.require("source");
+  fields.vector("position", sample.position, coordinateRange);
+  fields.resource("source", sample.source, builtinLightNames());
+  fields.word("layout", sample.layout, lightLayouts);
+  fields.number("rotateDegrees", sample.rotateDegrees, angleRange);
+  fields.number("scale", sample.scale, radianceRange);
+}
+
+template <typename Fields>
 void visitFields(Fields& fields, LightDescription& light) {
   fields.resource("source", light.source, builtinLightNames());
   fields.word("layout", light.layout, lightLayouts);
   fields.number("rotateDegrees", light.rotateDegrees, angleRange);
   fields.number("scale", light.scale, radianceRange);
   fields.object("sky", light.sky);
+  fields.list("samples", light.samples, 64);
   fields.object("motion", light.motion);
 }
 
@@ -85,7 +97,8 @@ void visitFields(Fields& fields, ShadingDescription& shading) {
   fields.choice("method", shading.method, shadingMethodNames);
   fields.integer("terms", shading.terms, Range{0, 6144});
   fields.integer("levels", shading.levels, Range{1, 2});
-  fields.integer("order", shading.order, Range{4, 6});
+  fields.integer("order", shading.order, Range{1, 20});
+  fields.choice("per", shading.per, shadedPerNames);
   fields.choice("visibility", shading.visibility, visibilityKindNames);
   fields.choice("engine", shading.engine, engineChoiceNames);
 }

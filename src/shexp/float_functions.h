@@ -12,4 +12,10 @@ float inverseSquareRoot(float x);
 /// e^x within 3e-7 relative for −87 ≤ x ≤ 87; beyond, its value at that end.
 float exponential(float x);
 
+/// x above 0, and else +0: radiance is never below zero, which ringing can give, and zero keeps no
+/// sign.
+inline float positivePart(float x) {
+  return x > 0 ? x : 0.0f;
+}
+
 }  // namespace haarlight

@@ -58,19 +58,23 @@ class LightTransport::Stage {
 
 LightTransport::LightTransport(const TriangleMesh& mesh, int order, int raysPerVertex,
                                std::uint64_t seed, bool keepReflectors,
-                               const TransferMonitor& monitor)
+                               const TransferMonitor& monitor, std::optional<std::size_t> vertices)
     : mesh_(mesh),
       order_(order),
       raysPerVertex_(raysPerVertex),
       keepReflectors_(keepReflectors),
       monitor_(monitor),
-      direct_(unshadowedTransfer(mesh.normals, order)),
-      reflectors_((mesh.positions.size() + rangeLength - 1) / rangeLength),
-      reflectorCounts_(mesh.positions.size()),
-      blockedCounts_(mesh.positions.size()) {
+      vertices_(vertices.value_or(mesh.positions.size())),
+      reflectors_((vertices_ + rangeLength - 1) / rangeLength),
+      reflectorCounts_(vertices_),
+      blockedCounts_(vertices_) {
+  if (vertices_ > mesh.positions.size() || (keepReflectors && vertices_ < mesh.positions.size()))
+    throw std::invalid_argument("the number of vertices of a transfer is out of range");
   const VertexRays rays(mesh, raysPerVertex, seed);
-  Stage(monitor_, "casting rays", mesh.positions.size())
-      .run([&](std::size_t begin, std::size_t end) { castRange(rays, begin, end); });
+  direct_ = unshadowedTransfer(std::span(mesh.normals).first(vertices_), order);
+  Stage(monitor_, "casting rays", vertices_).run([&](std::size_t begin, std::size_t end) {
+    castRange(rays, begin, end);
+  });
 }
 
 void LightTransport::castRange(const VertexRays& rays, std::size_t begin, std::size_t end) {

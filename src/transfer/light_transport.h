@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -34,10 +35,13 @@ std::vector<float> unshadowedTransfer(std::span<const glm::vec3> normals, int or
 class LightTransport {
  public:
   /// Casts all rays, on all threads. `keepReflectors`: for reflected(); takes eight bytes for each
-  /// ray that is blocked. Keeps a reference to the mesh. Throws std::invalid_argument for a wrong
-  /// order, number of rays or mesh (VertexRays), and TransferCancelled.
+  /// ray that is blocked. `vertices`: only the first so many have rays and direct() transfer, while
+  /// all triangles block; nothing is reflected() then. Keeps a reference to the mesh. Throws
+  /// std::invalid_argument for a wrong order, number of rays or vertices or mesh (VertexRays), and
+  /// TransferCancelled.
   LightTransport(const TriangleMesh& mesh, int order, int raysPerVertex, std::uint64_t seed,
-                 bool keepReflectors, const TransferMonitor& monitor = {});
+                 bool keepReflectors, const TransferMonitor& monitor = {},
+                 std::optional<std::size_t> vertices = {});
 
   /// 1/π ∫ V(ω) max(0, ω·n) y_i(ω) dω by vertex, order² floats each; V is 0 where the mesh blocks.
   ///
@@ -69,6 +73,7 @@ class LightTransport {
   int raysPerVertex_;
   bool keepReflectors_;
   TransferMonitor monitor_;
+  std::size_t vertices_;  ///< that have rays
   std::vector<float> direct_;
   std::vector<std::vector<SurfacePlace>> reflectors_;  ///< by range of vertices, one after another
   std::vector<std::uint32_t> reflectorCounts_;         ///< by vertex

@@ -26,12 +26,23 @@ TEST_CASE("numbers out of range and no numbers are refused") {
       {{"--spheres", "0"},         {"--spheres", "-1"},        {"--spheres", "100000"},
        {"--spheres", "3.5"},       {"--terms", "-1"},          {"--terms", "6145"},
        {"--terms", "abc"},         {"--terms", "99999999999"}, {"--levels", "0"},
-       {"--levels", "3"},          {"--order", "3"},           {"--order", "7"},
+       {"--levels", "3"},          {"--order", "0"},           {"--order", "21"},
        {"--order", "4.5"},         {"--samples", "0"},         {"--samples", "100000"},
        {"--threads", "-1"},        {"--threads", "100000"},    {"--light-rotate", "nan"},
        {"--light-rotate", "1e30"}, {"--light-rotate", "up"},   {"--light-scale", "-1"},
        {"--light-scale", "nan"},   {"--light-scale", "inf"},   {"--sun", "0,45"},
        {"--exposure", "nan"},      {"--exposure", "1e9"},      {"--exposure", "bright"}});
+}
+
+TEST_CASE("orders that exponentiation does not have are refused before any work") {
+  const TemporaryFolder target;
+  for (const char* order : {"1", "3", "7", "20"})
+    for (const auto& [command, output] :
+         {std::pair("render", target / "x.png"), std::pair("bake", target / "x.exr")})
+      for (const char* option : {"--method", "--compare-to"})
+        checkRefused({command, "-o", output, option, "shexp", "--order", order, "--quiet"},
+                     "the method shexp takes an order from 4 to 6, not " + std::string(order));
+  CHECK(std::filesystem::is_empty(target.path()));
 }
 
 TEST_CASE("suns that stand nowhere are refused") {
@@ -60,6 +71,8 @@ TEST_CASE("names that do not exist are refused") {
                                {"--engine", "magic"},
                                {"--visibility", "fuzzy"},
                                {"--compare-to", "nothing"},
+                               {"--per", "triangle"},
+                               {"--transfer", ""},
                                {"--mesh", ""},
                                {"--light", ""}});
   checkRefused({"render", "-o", "x.png", "--mesh", "builtin:teapot"}, "builtin:teapot");

@@ -69,7 +69,7 @@ TEST_CASE("all Haar terms make the sum over all texels") {
 TEST_CASE("an empty plane under a constant light has the radiance of its albedo") {
   const TemporaryFolder folder;
   writeFile(folder / "scene.json", emptyScene);
-  for (const char* method : {"haar", "pixel", "pixel-mesh", "shexp"}) {
+  for (const char* method : {"haar", "pixel", "pixel-mesh", "shexp", "sh"}) {
     CAPTURE(method);
     resultsOf({"bake", folder / "scene.json", "--method", method, "--engine", "reference", "-o",
                folder / "plane.exr"});

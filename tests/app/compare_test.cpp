@@ -19,7 +19,7 @@ TEST_CASE("compare renders every method and holds it against both references") {
   const auto results = resultsOf(joined({"compare", "-o", folder / "sheet.png"}, tiny));
   CHECK(readFile(folder / "sheet.png").starts_with("\x89PNG"));
   const auto& pictures = results.at("picture");
-  const std::vector<std::string> expected{"pixel-mesh", "pixel", "haar", "shexp"};
+  const std::vector<std::string> expected{"pixel-mesh", "pixel", "haar", "shexp", "sh"};
   REQUIRE(pictures.size() == expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     CAPTURE(expected[i]);
@@ -27,6 +27,22 @@ TEST_CASE("compare renders every method and holds it against both references") {
     CHECK(pictures[i].at("seconds") > 0);
     REQUIRE(pictures[i].at("error").size() == (i < 2 ? 1 : 2));
     CHECK(pictures[i].at("error")[0].at("reference") == (i == 0 ? "pixel" : "pixel-mesh"));
+  }
+  CHECK(pictures[3].at("order") == 4);
+  CHECK(pictures[4].at("order") == 5);
+  CHECK(pictures[4].at("transfer_seconds") > 0);
+}
+
+TEST_CASE("compare takes a mesh, and an order for both methods that have one") {
+  const auto results =
+      resultsOf(joined({"compare", "--mesh", "builtin:sphere", "--light", "builtin:sky", "--order",
+                        "6", "--method", "pixel-mesh", "--method", "shexp", "--method", "sh"},
+                       tiny));
+  const auto& pictures = results.at("picture");
+  REQUIRE(pictures.size() == 3);
+  for (const std::size_t i : {1, 2}) {
+    CHECK(pictures[i].at("order") == 6);
+    CHECK(pictures[i].at("error")[0].at("rmse_relative_to_mean_percent") < 15);
   }
 }
 
@@ -48,4 +64,5 @@ TEST_CASE("compare refuses methods that are none and references that it does not
   checkRefused({"compare", "--method", "haar", "--reference", "pixel"},
                "--reference pixel is not among the methods compared; add --method pixel");
   checkRefused({"compare", "-o", "sheet.exr"}, ".png");
+  checkRefused({"compare", "--order", "7"}, "the method shexp takes an order from 4 to 6, not 7");
 }

@@ -13,9 +13,10 @@ const Arguments small{"verify", "--cases", "3", "--without-scenes"};
 const Arguments smallOnHost = joined(small, {"--engine", "cuda-host"});
 
 const std::vector<std::string> stages{
-    "moved_spheres",  "table_entries", "bit_cubes", "haar_coefficients",
-    "triple_product", "fused",         "frame",     "exponentiation"};
-const std::vector<std::string> faults{"sphere", "bit", "coefficient", "ulp", "exponentiation"};
+    "moved_spheres", "table_entries", "bit_cubes",      "haar_coefficients", "triple_product",
+    "fused",         "frame",         "exponentiation", "transfer"};
+const std::vector<std::string> faults{"sphere",         "bit",     "coefficient", "ulp",
+                                      "exponentiation", "transfer"};
 
 /// The report of a run with --json that ends with this exit code.
 Document reportOf(const Arguments& arguments, int exitCode) {
@@ -142,11 +143,10 @@ TEST_CASE("JUnit and HTML reports are written, and need nothing from outside") {
 }
 
 TEST_CASE("faults put into any engine's results are all found where they are") {
-  const std::map<std::string, std::string> stageOfFault{{"sphere", "moved_spheres"},
-                                                        {"bit", "bit_cubes"},
-                                                        {"coefficient", "haar_coefficients"},
-                                                        {"ulp", "triple_product"},
-                                                        {"exponentiation", "exponentiation"}};
+  const std::map<std::string, std::string> stageOfFault{
+      {"sphere", "moved_spheres"},          {"bit", "bit_cubes"},
+      {"coefficient", "haar_coefficients"}, {"ulp", "triple_product"},
+      {"exponentiation", "exponentiation"}, {"transfer", "transfer"}};
   for (const std::string& engine : enginesHere())
     for (const std::string& fault : faults) {
       CAPTURE(engine);

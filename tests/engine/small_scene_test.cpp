@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "test_scenes.h"
+#include "test_transfer.h"
 
 using namespace haarlight;
 using namespace haarlight::test;
@@ -38,6 +39,22 @@ void checkExponentiation(Engine& engine, const TestScene& scene) {
   CHECK(std::memcmp(radiance.data(), expected.data(), expected.size() * sizeof expected[0]) == 0);
 }
 
+/// With rows of one float4 a channel, and with more coefficients than lanes.
+void checkTransfer(Engine& engine) {
+  const auto reference = referenceEngine();
+  for (const int order : {2, 6}) {
+    const TestTransfer transfer = randomTransfer(1, order, 3, 34, 2, true);
+    for (Engine* each : {reference.get(), &engine}) {
+      each->setTransferRows(transfer.rows);
+      each->setTransferLights(transfer.lights);
+    }
+    const auto expected = reference->shadeByTransfer(transfer.receivers),
+               shaded = engine.shadeByTransfer(transfer.receivers);
+    REQUIRE(shaded.size() == expected.size());
+    CHECK(std::memcmp(shaded.data(), expected.data(), expected.size() * sizeof expected[0]) == 0);
+  }
+}
+
 void checkEveryKernel(VisibilityKind visibility, const KernelShape& shape) {
   EngineOptions options;
   options.engine = "opencl";
@@ -48,6 +65,7 @@ void checkEveryKernel(VisibilityKind visibility, const KernelShape& shape) {
       makeEngine(options, visibility == VisibilityKind::table ? sharedSphereTable() : nullptr);
   const auto reference = referenceEngine(visibility);
   checkMovedSpheres(*engine);
+  checkTransfer(*engine);
   const TestScene scene = smallScene();
   CHECK(engine->sphereTableEntries(scene.spheres, scene.receivers) ==
         reference->sphereTableEntries(scene.spheres, scene.receivers));

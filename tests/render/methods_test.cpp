@@ -88,7 +88,7 @@ TEST_CASE("reference and OpenCL agree in every bit on the bunny scene") {
     return;
   }
   const Scene scene = loadScene(bunnyScene(mesh->string(), probe->string()));
-  auto samples = vertexSamples(scene.objects[0]);
+  auto samples = vertexSamples(scene, 0);
   samples.resize(2000);
   ReceiverDescription coarse = *scene.receiver;
   coarse.samples = {48, 48};

@@ -24,19 +24,22 @@ const std::string fullScene = R"({
       },
       "albedo": [0, 0.25, 1],
       "spheres": "bunny.spheres",
-      "castsShadow": false
+      "castsShadow": false,
+      "transfer": "bunny.prt"
     },
     { "mesh": "builtin:sphere", "transform": { "fit": "none", "scale": 0.5 }, "spheres": 1 }
   ],
   "receiver": { "center": [1, 2, 3], "size": [4, 5], "samples": [64, 32], "albedo": [0.1, 0.2, 0.3] },
-  "light": { "source": "/probes/grace.hdr", "layout": "vcross", "rotateDegrees": -90, "scale": 0 },
+  "light": { "source": "/probes/grace.hdr", "layout": "vcross", "rotateDegrees": -90, "scale": 0,
+             "samples": [ { "position": [1, 0, 2], "source": "near.hdr", "layout": "angular",
+                            "rotateDegrees": 30, "scale": 2 }, { "source": "builtin:sky" } ] },
   "camera": {
     "position": [1, 2, 3], "target": [4, 5, 7], "up": [0, 0, 1], "verticalFieldOfViewDegrees": 45.5
   },
   "image": {
     "width": 320, "height": 200, "samplesPerPixel": 16, "exposure": -1.5, "background": [0, 0.5, 2]
   },
-  "shading": { "method": "pixel-mesh", "terms": 6144, "levels": 1, "order": 6,
+  "shading": { "method": "pixel-mesh", "terms": 6144, "levels": 1, "order": 6, "per": "pixel",
                "visibility": "table", "engine": "reference" }
 })";
 
@@ -70,6 +73,7 @@ TEST_CASE("every field of a scene reaches the description") {
   CHECK(bunny.albedo == glm::dvec3(0, 0.25, 1));
   CHECK(std::get<std::filesystem::path>(bunny.spheres) == "scenes/bunny.spheres");
   CHECK_FALSE(bunny.castsShadow);
+  CHECK(bunny.transfer == "scenes/bunny.prt");
   const ObjectDescription& sphere = scene.objects[1];
   CHECK(sphere.name == "sphere");
   CHECK(sphere.mesh == "builtin:sphere");
@@ -85,6 +89,14 @@ TEST_CASE("every field of a scene reaches the description") {
   CHECK(scene.light.layout == "vcross");
   CHECK(scene.light.rotateDegrees == -90);
   CHECK(scene.light.scale == 0);
+  REQUIRE(scene.light.samples.size() == 2);
+  const LightSampleDescription& near = scene.light.samples[0];
+  CHECK(near.position == glm::dvec3(1, 0, 2));
+  CHECK(near.source == "scenes/near.hdr");
+  CHECK(near.layout == "angular");
+  CHECK(near.rotateDegrees == 30);
+  CHECK(near.scale == 2);
+  CHECK(scene.light.samples[1].source == "builtin:sky");
   CHECK(scene.camera.position == glm::dvec3(1, 2, 3));
   CHECK(scene.camera.target == glm::dvec3(4, 5, 7));
   CHECK(scene.camera.up == glm::dvec3(0, 0, 1));
@@ -98,6 +110,7 @@ TEST_CASE("every field of a scene reaches the description") {
   CHECK(scene.shading.terms == 6144);
   CHECK(scene.shading.levels == 1);
   CHECK(scene.shading.order == 6);
+  CHECK(scene.shading.per == ShadedPer::pixel);
   CHECK(scene.shading.visibility == VisibilityKind::table);
   CHECK(scene.shading.engine == EngineChoice::Reference);
 }
@@ -115,11 +128,13 @@ TEST_CASE("fields that are absent have the documented defaults") {
   CHECK(object.albedo == glm::dvec3(0.5));
   CHECK(std::get<int>(object.spheres) == 64);
   CHECK(object.castsShadow);
+  CHECK_FALSE(object.transfer);
   CHECK_FALSE(scene.receiver);
   CHECK(scene.light.source == "builtin:lamps");
   CHECK(scene.light.layout == "auto");
   CHECK(scene.light.rotateDegrees == 0);
   CHECK(scene.light.scale == 1);
+  CHECK(scene.light.samples.empty());
   CHECK(scene.camera.position == glm::dvec3(0, 4, 8));
   CHECK(scene.camera.target == glm::dvec3(0, 0.5, 0));
   CHECK(scene.camera.up == glm::dvec3(0, 1, 0));
@@ -132,7 +147,8 @@ TEST_CASE("fields that are absent have the documented defaults") {
   CHECK(scene.shading.method == ShadingMethod::Haar);
   CHECK(scene.shading.terms == 200);
   CHECK(scene.shading.levels == 2);
-  CHECK(scene.shading.order == 4);
+  CHECK_FALSE(scene.shading.order);
+  CHECK(scene.shading.per == ShadedPer::vertex);
   CHECK(scene.shading.visibility == VisibilityKind::exact);
   CHECK(scene.shading.engine == EngineChoice::Auto);
 }

@@ -24,6 +24,7 @@ ObjectDescription movingObject() {
   ObjectDescription object;
   object.name = "a";
   object.mesh = "a.obj";
+  object.transfer = "a.prt";
   object.deformation.emplace().pointCache = "a.pc2";
   object.deformation->framesPerSecond = 25;
   object.deformation->twist.emplace().keys.resize(1);
@@ -44,6 +45,8 @@ Json wholeDocument() {
   scene.light.motion->keys[0].sunAzimuthDegrees = 400;
   scene.light.motion->keys[0].sunElevationDegrees = 30;
   scene.light.sky.emplace().zenithRadiance = 2;
+  scene.light.samples.emplace_back().source = "near.hdr";
+  scene.shading.order = 4;
   scene.camera.position = {3, 2, 7};
   scene.camera.target = {-1, 0.5, 0.25};
   scene.camera.up = {0.2, 1, -0.1};

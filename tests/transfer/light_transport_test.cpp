@@ -210,3 +210,13 @@ TEST_CASE("what cannot be transported is refused") {
   mesh.normals.clear();
   CHECK_THROWS_AS(LightTransport(mesh, order, 4, 1, true), std::invalid_argument);
 }
+
+TEST_CASE("of a mesh whose first vertices alone are asked for, all triangles block") {
+  const TriangleMesh mesh = floorAndWall(2);
+  const LightTransport whole(mesh, order, 256, 3, false), first(mesh, order, 256, 3, false, {}, 2);
+  CHECK(first.direct() ==
+        std::vector<float>(whole.direct().begin(), whole.direct().begin() + 2 * row));
+  CHECK(first.direct() != unshadowedTransfer(std::span(mesh.normals).first(2), order));
+  CHECK_THROWS_AS(LightTransport(mesh, order, 16, 3, false, {}, 8), std::invalid_argument);
+  CHECK_THROWS_AS(LightTransport(mesh, order, 16, 3, true, {}, 2), std::invalid_argument);
+}

@@ -33,6 +33,10 @@ class LimitedEngine final : public ForwardingEngine {
                                                ReceiverSpan receivers, StageTimes* times) override {
     return scaled(engine_->shadeByExponentiation(spheres, receivers, times));
   }
+  std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
+                                         StageTimes* times) override {
+    return scaled(engine_->shadeByTransfer(receivers, times));
+  }
 
  private:
   std::vector<glm::vec4> scaled(std::vector<glm::vec4> radiance) const {
@@ -57,20 +61,21 @@ std::vector<Row> rowsOf(float relativeError, std::size_t caseIndex) {
 TEST_CASE("a device that says it has a limit may differ by 1e-5 in radiance, and in nothing else") {
   const std::vector<Row> rows = rowsOf(1e-6f, 0);
   // moved spheres, bit cubes, coefficients, six settings of sums and of fused frames, frame, three
-  // orders of exponentiation
-  CHECK(rows.size() == 19);
+  // orders of exponentiation, six settings of transfer
+  CHECK(rows.size() == 25);
   for (const Row& row : rows) {
     CHECK(row.mismatches == 0);
     CHECK(!row.tolerance.empty());
     const bool radiance = row.stage == Stage::tripleProduct || row.stage == Stage::fused ||
-                          row.stage == Stage::frame || row.stage == Stage::exponentiation;
+                          row.stage == Stage::frame || row.stage == Stage::exponentiation ||
+                          row.stage == Stage::transfer;
     CHECK((row.maximumUlp > 0) == radiance);
   }
 }
 
 TEST_CASE("a device with a limit that differs by more, such as twice the radiance, is a mismatch") {
   const std::vector<Row> rows = rowsOf(1, 0);
-  CHECK(std::ranges::count_if(rows, [](const Row& row) { return row.mismatches > 0; }) == 16);
+  CHECK(std::ranges::count_if(rows, [](const Row& row) { return row.mismatches > 0; }) == 22);
 }
 
 TEST_CASE("a device with a limit is not asked about denormal numbers") {

@@ -50,7 +50,7 @@ TEST_CASE("reference, CUDA kernels and known answers agree") {
   for (const VisibilityKind kind : {VisibilityKind::exact, VisibilityKind::table})
     for (const Stage stage :
          {Stage::movedSpheres, Stage::bitCubes, Stage::haar, Stage::tripleProduct, Stage::fused,
-          Stage::frame, Stage::exponentiation})
+          Stage::frame, Stage::exponentiation, Stage::transfer})
       CHECK(std::ranges::any_of(result.report.rows, [&](const Row& row) {
         return row.engine == "cuda-host" && row.stage == stage && row.visibility == nameOf(kind) &&
                row.compared > 0 && row.maximumUlp == 0;
@@ -58,12 +58,12 @@ TEST_CASE("reference, CUDA kernels and known answers agree") {
 }
 
 TEST_CASE("every kind of fault is found where it was put") {
-  for (const auto& [kind, stage] :
-       {std::pair(InjectionKind::sphere, Stage::movedSpheres),
-        std::pair(InjectionKind::bit, Stage::bitCubes),
-        std::pair(InjectionKind::coefficient, Stage::haar),
-        std::pair(InjectionKind::ulp, Stage::tripleProduct),
-        std::pair(InjectionKind::exponentiation, Stage::exponentiation)}) {
+  for (const auto& [kind, stage] : {std::pair(InjectionKind::sphere, Stage::movedSpheres),
+                                    std::pair(InjectionKind::bit, Stage::bitCubes),
+                                    std::pair(InjectionKind::coefficient, Stage::haar),
+                                    std::pair(InjectionKind::ulp, Stage::tripleProduct),
+                                    std::pair(InjectionKind::exponentiation, Stage::exponentiation),
+                                    std::pair(InjectionKind::transfer, Stage::transfer)}) {
     CAPTURE(nameOf(kind));
     RunOptions options = smallRun();
     options.injection = Injection{kind, "cuda-host"};

@@ -45,6 +45,8 @@ std::string nameOf(Stage stage) {
       return "frame";
     case Stage::exponentiation:
       return "exponentiation";
+    case Stage::transfer:
+      return "transfer";
   }
   return {};
 }

@@ -11,8 +11,8 @@ namespace haarlight::verify {
 
 /// The stages of a frame, each compared on its own: every stage gets the reference's results of the
 /// stage before, so that a mismatch is reported where it arises. Only `frame` runs all of them, but
-/// for `movedSpheres`, which has spheres of its own, and `exponentiation`, which is another way to
-/// shade.
+/// for `movedSpheres`, which has spheres of its own, and `exponentiation` and `transfer`, which are
+/// other ways to shade.
 enum class Stage {
   movedSpheres,
   tableEntries,
@@ -21,14 +21,15 @@ enum class Stage {
   tripleProduct,
   fused,
   frame,
-  exponentiation
+  exponentiation,
+  transfer
 };
-inline constexpr std::array allStages{Stage::movedSpheres, Stage::tableEntries,  Stage::bitCubes,
-                                      Stage::haar,         Stage::tripleProduct, Stage::fused,
-                                      Stage::frame,        Stage::exponentiation};
+inline constexpr std::array allStages{Stage::movedSpheres, Stage::tableEntries,   Stage::bitCubes,
+                                      Stage::haar,         Stage::tripleProduct,  Stage::fused,
+                                      Stage::frame,        Stage::exponentiation, Stage::transfer};
 
 /// "moved spheres", "table entries", "bit cubes", "Haar coefficients", "triple product", "fused",
-/// "frame", "exponentiation".
+/// "frame", "exponentiation", "transfer".
 std::string nameOf(Stage stage);
 
 /// Whether a stage's results are float32 (else unsigned integers, which have no ULP).
@@ -72,7 +73,8 @@ struct Row {
   Stage stage = Stage::bitCubes;
   /// "exact" or "table"; "-" for stages that visibility does not touch.
   std::string visibility = "-";
-  /// "50 terms, level I", … for sums, "order 4", … for exponentiation; else empty.
+  /// "50 terms, level I", … for sums, "order 4", … for exponentiation, "order 5, grey, 1 light", …
+  /// for transfer; else empty.
   std::string setting;
   std::string engine;
   std::string device;
@@ -115,7 +117,7 @@ struct Absent {
 
 /// What became of the faults that were put into one engine's results (verify/injection.h).
 struct FaultSummary {
-  /// "sphere", "bit", "coefficient", "ulp" or "exponentiation".
+  /// "sphere", "bit", "coefficient", "ulp", "exponentiation" or "transfer".
   std::string kind;
   std::string engine, device, shape, visibility;
   std::uint64_t injected = 0;

@@ -60,7 +60,8 @@ std::string openClSource(const KernelShape& shape) {
                            "shade.cl",
                            "float_functions.cl",
                            "sphere_logarithms.cl",
-                           "shexp.cl"})
+                           "shexp.cl",
+                           "transfer.cl"})
     source += kernelText(file);
   return source;
 }

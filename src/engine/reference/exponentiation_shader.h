@@ -8,6 +8,7 @@
 #include "engine/exponentiation_tables.h"
 #include "material/cosine_lobe.h"
 #include "shexp/exponentiation.h"
+#include "shexp/float_functions.h"
 
 namespace haarlight {
 
@@ -21,8 +22,7 @@ class ExponentiationShader {
     const ShexpVector visibility = shexpVisibility(tables_.visibility, spheres, position, normal);
     glm::vec4 radiance(0);
     for (int channel = 0; channel < 3; ++channel) {
-      const float sum = channelSum(visibility, lobes, channel);
-      radiance[channel] = sum < 0 ? 0.0f : sum;
+      radiance[channel] = positivePart(channelSum(visibility, lobes, channel));
     }
     return radiance;
   }

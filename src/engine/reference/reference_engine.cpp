@@ -5,6 +5,7 @@
 #include "engine/engine.h"
 #include "engine/reference/exponentiation_shader.h"
 #include "engine/reference/sample_shader.h"
+#include "engine/reference/transfer_shader.h"
 #include "visibility/exact_visibility.h"
 
 namespace haarlight {
@@ -108,6 +109,27 @@ class ReferenceEngine final : public Engine {
     return radiance;
   }
 
+  void setTransferRows(const TransferRows& rows) override { transferRows_ = rows; }
+  void setTransferLights(const TransferLights& lights) override { transferLights_ = lights; }
+
+  std::vector<glm::vec4> shadeByTransfer(const TransferReceivers& receivers,
+                                         StageTimes* times) override {
+    requireTransfer(transferRows_.order, transferRows_.rowCount(), transferLights_, receivers);
+    StageTimes ignored;
+    StageTimes& stages = times ? *times : ignored;
+    StageClock clock, whole;
+    const TransferShader shader(transferRows_, transferLights_);
+    const std::size_t lights = transferLights_.count();
+    std::vector<glm::vec4> radiance;
+    radiance.reserve(receivers.size());
+    for (std::size_t i = 0; i < receivers.size(); ++i)
+      radiance.push_back(shader.radiance(
+          receivers.blends[i], std::span(receivers.lightWeights).subspan(i * lights, lights)));
+    clock.lap(stages.fused);
+    whole.lap(stages.total);
+    return radiance;
+  }
+
  private:
   BitCube merge(std::span<const Sphere> spheres, const glm::vec3& position,
                 const glm::vec3& normal) const {
@@ -119,6 +141,8 @@ class ReferenceEngine final : public Engine {
   ShadingTables tables_;
   SphereBinding binding_;
   std::optional<ExponentiationTables> exponentiation_;
+  TransferRows transferRows_;
+  TransferLights transferLights_;
 };
 
 }  // namespace
