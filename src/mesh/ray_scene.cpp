@@ -203,10 +203,13 @@ bool RayScene::occluded(const glm::vec3& origin, const glm::vec3& direction, flo
 
 std::uint16_t RayScene::occluded16(std::span<const glm::vec3, 16> origins,
                                    std::span<const glm::vec3, 16> directions, std::uint16_t valid,
-                                   float near) const {
+                                   float near, float far) const {
   RTCRay16 rays{};
   const Active active(valid);
-  for (std::size_t i = 0; i < 16; ++i) setRay(rays, i, origins[i], directions[i], near);
+  for (std::size_t i = 0; i < 16; ++i) {
+    setRay(rays, i, origins[i], directions[i], near);
+    rays.tfar[i] = far;
+  }
   embree::occlude16(active.lanes, implementation_->scene, rays);
   unsigned hits = 0;
   for (unsigned i = 0; i < 16; ++i) hits |= unsigned(active.lanes[i] && rays.tfar[i] < 0) << i;

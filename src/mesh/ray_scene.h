@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,8 +32,8 @@ struct TriangleHit {
 };
 
 /// Triangle meshes, or spheres, prepared for ray queries by Embree. Directions need not be unit
-/// vectors; a ray starts at origin + near · direction and has no end. Queries may run on any number
-/// of threads.
+/// vectors; a ray starts at origin + near · direction and has no end but where one is given.
+/// Queries may run on any number of threads.
 class RayScene {
  public:
   /// Object i is *meshes[i]; the meshes are copied. Throws std::runtime_error with Embree's words
@@ -56,11 +57,12 @@ class RayScene {
 
   bool occluded(const glm::vec3& origin, const glm::vec3& direction, float near = 0) const;
 
-  /// Sixteen rays at once; bit i of `valid` says whether ray i counts. Bit i of the result is set
-  /// when ray i counts and meets something.
+  /// Sixteen rays at once, which end at origin + far · direction; bit i of `valid` says whether ray
+  /// i counts. Bit i of the result is set when ray i counts and meets something.
   std::uint16_t occluded16(std::span<const glm::vec3, 16> origins,
                            std::span<const glm::vec3, 16> directions, std::uint16_t valid = 0xffff,
-                           float near = 0) const;
+                           float near = 0,
+                           float far = std::numeric_limits<float>::infinity()) const;
 
  private:
   struct Implementation;

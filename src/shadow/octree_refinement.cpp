@@ -145,18 +145,20 @@ class Refinement {
     return suspect.caster != receiver_ || object_.castsOnItself();
   }
 
+  /// Before the last depth, those that tell all about a suspect; then one for each.
   void askRays(const AxisBox& cell, bool isLast, Outcome& outcome) const {
-    std::vector<glm::dvec3> points;
-    if (isLast) points = {object_.surfacePoint(cell, outcome.state.surface)};
+    const Parts& surface = outcome.state.surface;
     for (Suspect& suspect : outcome.state.suspects) {
+      const bool isUniform = suspect.shadow == CellShadow::uniform;
+      if (!isRaysBusiness(suspect) || !(isUniform || isLast)) continue;
+      outcome.byRay = outcome.byRay || !isUniform;
       const bool isItself = suspect.caster == receiver_;
-      if (!isRaysBusiness(suspect)) continue;
-      outcome.byRay = outcome.byRay || suspect.shadow == CellShadow::unknown;
-      if (!isLast) {
-        if (suspect.shadow != CellShadow::uniform) continue;
-        points =
-            isItself ? object_.ownPoints(cell, outcome.state.surface) : std::vector{cell.center()};
-      }
+      std::vector<glm::dvec3> points;
+      if (isItself)
+        points = object_.ownPoints(cell, surface);
+      else
+        points = {isLast ? object_.surfacePoint(cell, surface) : cell.center()};
+      if (isLast) points.resize(1);
       for (const glm::dvec3& point : points)
         outcome.rays.push_back({point, suspect.caster, isItself});
       suspect.rays = points.size();

@@ -57,7 +57,8 @@ class ShadowObject {
   /// not in its own way. `uniform` means that surface points of one part agree (ownPoints). Where
   /// castsOnItself() is false, only `all` says something: the whole surface in the cell faces away.
   virtual CellShadow ownShadowOn(const Shaft& shaft, Parts& parts) const = 0;
-  /// A point of the surface for every part that lies in the cell.
+  /// A point of the surface for every part that lies in the cell, from which rays to the light are
+  /// to start that ask for the own shadow; that of surfacePoint first.
   virtual std::vector<glm::dvec3> ownPoints(const AxisBox& cell, const Parts& surface) const {
     return {surfacePoint(cell, surface)};
   }

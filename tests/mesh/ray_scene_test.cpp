@@ -204,3 +204,13 @@ TEST_CASE("rays to spheres begin where they are told, and no spheres block nothi
   CHECK_FALSE(scene.occluded({0, 0, 0}, {0, 0, -2}, 2.51f));
   CHECK_FALSE(RayScene(std::span<const Sphere>{}).occluded({0, 0, 0}, {0, 0, -2}));
 }
+
+TEST_CASE("of sixteen rays, those that end before the mesh meet nothing") {
+  const RayScene scene(groundGrid(1, 1));
+  std::array<glm::vec3, 16> origins, directions;
+  for (int i = 0; i < 16; ++i)
+    origins[i] = {0.1f, 0.5f + 0.25f * float(i), 0.2f}, directions[i] = {0, -2, 0};
+  // From heights 0.5, 0.75 … 4.25, with ends 2 further down.
+  CHECK(scene.occluded16(origins, directions, 0xffff, 0, 1) == 0b1111111);
+  CHECK(scene.occluded16(origins, directions) == 0xffff);
+}

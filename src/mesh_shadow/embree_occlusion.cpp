@@ -1,0 +1,88 @@
+#include "mesh_shadow/embree_occlusion.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+
+#include "base/parallel.h"
+#include "mesh_shadow/lit_mesh.h"
+#include "shadow/solid_occlusion.h"
+
+namespace haarlight {
+
+namespace {
+
+constexpr std::size_t packetSize = 16;
+
+AxisBox boundsOf(const TriangleMesh& mesh) {
+  AxisBox box;
+  for (const glm::vec3& p : mesh.positions) box = united(box, {p, p});
+  return box;
+}
+
+}  // namespace
+
+EmbreeOcclusion::EmbreeOcclusion(std::span<const Occluder> occluders, const ShadowLight& light)
+    : occluders_(occluders.begin(), occluders.end()), light_(light) {
+  for (std::uint32_t i = 0; i < occluders_.size(); ++i)
+    if (const auto* mesh = std::get_if<const TriangleMesh*>(&occluders_[i]))
+      meshes_.emplace(i, Mesh{boundsOf(**mesh), RayScene(**mesh)});
+}
+
+Ray EmbreeOcclusion::startBefore(const OcclusionRay& ray, const AxisBox& bounds) const {
+  const Ray way = segmentToLight(ray.from, light_);
+  const double length = glm::length(way.direction);
+  if (ray.leavesCaster || length == 0) return way;
+  const double margin = singlePrecisionMargin(united(bounds, {ray.from, ray.from}));
+  return segmentToLight(way.at(-margin / length), light_);
+}
+
+void EmbreeOcclusion::castPacket(const Mesh& mesh, std::span<const OcclusionRay> rays, Order order,
+                                 std::span<std::uint8_t> blocked) const {
+  std::array<glm::vec3, packetSize> origins{}, directions{};
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Ray ray = startBefore(rays[order[i]], mesh.bounds);
+    origins[i] = ray.origin, directions[i] = ray.direction;
+  }
+  const bool isPoint = std::holds_alternative<PointLight>(light_);
+  const float far = isPoint ? 1 : std::numeric_limits<float>::infinity();
+  const auto valid = std::uint16_t((1u << order.size()) - 1);
+  const std::uint16_t hits = mesh.rays.occluded16(origins, directions, valid, 0, far);
+  for (std::size_t i = 0; i < order.size(); ++i) blocked[order[i]] = hits >> i & 1;
+}
+
+/// For rays that all ask about one caster.
+void EmbreeOcclusion::answer(std::uint32_t caster, std::span<const OcclusionRay> rays, Order order,
+                             std::span<std::uint8_t> blocked) const {
+  if (const auto* solid = std::get_if<const Solid*>(&occluders_[caster])) {
+    for (const std::uint32_t i : order)
+      blocked[i] = blocksLight(**solid, rays[i].from, light_, rays[i].leavesCaster);
+    return;
+  }
+  const Mesh& mesh = meshes_.at(caster);
+  for (std::size_t first = 0; first < order.size(); first += packetSize)
+    castPacket(mesh, rays, order.subspan(first, std::min(packetSize, order.size() - first)),
+               blocked);
+}
+
+void EmbreeOcclusion::answer(std::span<const OcclusionRay> rays,
+                             std::span<std::uint8_t> blocked) const {
+  std::vector<std::uint32_t> order(rays.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto casterOf = [&](std::uint32_t i) { return rays[i].caster; };
+  std::ranges::stable_sort(order, {}, casterOf);
+  constexpr std::size_t grain = 16 * packetSize;
+  parallelFor(rays.size(), grain, [&](std::size_t begin, std::size_t end) {
+    while (begin < end) {
+      const std::uint32_t caster = casterOf(order[begin]);
+      std::size_t next = begin;
+      while (next < end && casterOf(order[next]) == caster) ++next;
+      answer(caster, rays, Order(order).subspan(begin, next - begin), blocked);
+      begin = next;
+    }
+  });
+}
+
+}  // namespace haarlight
