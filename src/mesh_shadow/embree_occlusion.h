@@ -16,6 +16,8 @@ namespace haarlight {
 /// An object that may stand in the way of light.
 using Occluder = std::variant<const Solid*, const TriangleMesh*>;
 
+AxisBox boundsOf(const Occluder& shape);
+
 /// Rays against meshes by Embree, sixteen at a time, and against solids by their formulas. Rays are
 /// sorted by caster, so that neighbouring cells' rays stay together. A ray starts a little before
 /// its point, so that a mesh that touches the point stands in its way, whatever single precision
@@ -25,6 +27,9 @@ class EmbreeOcclusion final : public OcclusionQuery {
  public:
   /// ray.caster counts in `occluders`. Meshes are copied, solids must stay.
   EmbreeOcclusion(std::span<const Occluder> occluders, const ShadowLight& light);
+
+  /// A shape that has changed, in the place of that one.
+  void replace(std::uint32_t caster, const Occluder& shape);
 
   void answer(std::span<const OcclusionRay> rays, std::span<std::uint8_t> blocked) const override;
 
