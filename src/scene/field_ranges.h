@@ -9,7 +9,11 @@ namespace haarlight {
 /// Within these bounds no product of three values leaves float32.
 inline constexpr Range coordinateRange{-1e6, 1e6};
 inline constexpr Range lengthRange{1e-6, 1e6};
+/// A length, or 0; between 0 and the smallest length there is nothing (scene/scene_checks.cpp).
+inline constexpr Range lengthOrZeroRange{0, 1e6};
 inline constexpr Range radianceRange{0, 1e6};
+/// Of point lights, whose squared distance may be large.
+inline constexpr Range intensityRange{0, 1e12};
 inline constexpr Range unitRange{0, 1};
 /// Factors on lengths or on time.
 inline constexpr Range factorRange{1e-6, 1e6};

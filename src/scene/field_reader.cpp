@@ -160,6 +160,11 @@ void FieldReader::ignoredText(const char* name) {
   if (const auto field = find(name)) field->text();
 }
 
+void FieldReader::requireOneKnown() const {
+  refuseUnknown();
+  if (object_.json().size() != 1) object_.fail("give exactly one of " + joinNames(knownNames_));
+}
+
 void FieldReader::refuseUnknown() const {
   for (const auto& [name, value] : object_.json().items())
     if (std::find(knownNames_.begin(), knownNames_.end(), name) == knownNames_.end())

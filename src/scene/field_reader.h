@@ -67,6 +67,14 @@ class FieldReader {
     if (const auto field = find(name)) read(*field, value.emplace());
   }
 
+  /// The object has one field, which is named as `nameOf` names an alternative, and holds it.
+  template <typename... Alternatives>
+  void oneOf(std::variant<Alternatives...>& value,
+             const char* (*nameOf)(const std::variant<Alternatives...>&)) {
+    (alternative<Alternatives>(nameOf(Alternatives{}), value), ...);
+    requireOneKnown();
+  }
+
   template <typename Description>
   void list(const char* name, std::vector<Description>& values, std::size_t maximumSize) {
     const auto field = find(name);
@@ -101,6 +109,13 @@ class FieldReader {
 
  private:
   std::optional<JsonValue> find(const char* name);
+
+  template <typename Alternative, typename Variant>
+  void alternative(const char* name, Variant& value) {
+    if (const auto field = find(name)) read(*field, value.template emplace<Alternative>());
+  }
+
+  void requireOneKnown() const;
   static void requireIncreasingSeconds(const JsonValue& keys);
 
   JsonValue object_;

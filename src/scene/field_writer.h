@@ -33,8 +33,9 @@ class FieldWriter {
   void path(const char* name, const std::optional<std::filesystem::path>& value) {
     if (value) text(name, value->string());
   }
+  /// An empty text is no resource.
   void resource(const char* name, const std::string& value, const std::vector<std::string>&) {
-    json_[name] = value;
+    if (!value.empty()) json_[name] = value;
   }
   void resource(const char* name, const std::optional<std::string>& value,
                 const std::vector<std::string>&) {
@@ -44,7 +45,7 @@ class FieldWriter {
     json_[name] = value;
   }
   void numberOrVector(const char* name, const glm::dvec3& value, const Range& range) {
-    vector(name, value, range);
+    value == glm::dvec3(value.x) ? number(name, value.x, range) : vector(name, value, range);
   }
   void countOrFile(const char* name, const std::variant<int, std::filesystem::path>& value,
                    const Range&) {
@@ -92,6 +93,12 @@ class FieldWriter {
   template <typename Description>
   void object(const char* name, std::optional<Description>& value) {
     if (value) json_[name] = write(*value);
+  }
+
+  template <typename... Alternatives>
+  void oneOf(std::variant<Alternatives...>& value,
+             const char* (*nameOf)(const std::variant<Alternatives...>&)) {
+    json_[nameOf(value)] = std::visit([](auto& alternative) { return write(alternative); }, value);
   }
 
   template <typename Description>

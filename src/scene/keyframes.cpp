@@ -12,11 +12,30 @@ namespace haarlight {
 
 namespace {
 
-/// Divided by the largest component first, so that no square leaves the range of numbers.
+/// Divided by the largest component, so that no square leaves the range of numbers.
+template <typename Vector>
+Vector scaledToOne(const Vector& vector) {
+  double largest = 0;
+  for (int i = 0; i < Vector::length(); ++i) largest = std::max(largest, std::abs(vector[i]));
+  return vector / largest;
+}
+
+glm::dvec3 unit(const glm::dvec3& direction) {
+  return glm::normalize(scaledToOne(direction));
+}
+
 glm::dquat unitQuaternion(const glm::dvec4& xyzw) {
-  const glm::dvec4 size = glm::abs(xyzw);
-  const glm::dvec4 scaled = xyzw / std::max({size.x, size.y, size.z, size.w});
+  const glm::dvec4 scaled = scaledToOne(xyzw);
   return glm::normalize(glm::dquat(scaled.w, scaled.x, scaled.y, scaled.z));
+}
+
+/// Of unit vectors that are not opposite.
+glm::dvec3 directionBetween(const glm::dvec3& from, const glm::dvec3& to, double fraction) {
+  const glm::dvec3 axis = glm::cross(from, to);
+  const double sine = glm::length(axis);
+  if (sine == 0) return from;
+  const double angle = fraction * std::atan2(sine, glm::dot(from, to));
+  return glm::normalize(std::cos(angle) * from + std::sin(angle) * glm::cross(axis / sine, from));
 }
 
 glm::dquat rotationAt(const MotionKey& from, const MotionKey& to, double fraction) {
@@ -98,6 +117,42 @@ LightState lightAt(const LightDescription& light, double seconds) {
           light.rotateDegrees + place.between(from.rotateDegrees, to.rotateDegrees),
           light.scale * place.between(from.scale, to.scale),
           skyBetween(skyAt(light, from), skyAt(light, to), place)};
+}
+
+PointLightDescription pointLightAt(const PointLightDescription& light, double seconds) {
+  PointLightDescription result = light;
+  result.motion.reset();
+  if (!light.motion) return result;
+  const KeyPlace place = keyPlace(light.motion->keys, light.motion->repeat, seconds);
+  const auto position = [&](std::size_t key) {
+    return light.motion->keys[key].position.value_or(light.position);
+  };
+  result.position = place.between(position(place.from), position(place.to));
+  return result;
+}
+
+DirectionalLightDescription directionalLightAt(const DirectionalLightDescription& light,
+                                               double seconds) {
+  DirectionalLightDescription result = light;
+  result.motion.reset();
+  if (!light.motion) return result;
+  const KeyPlace place = keyPlace(light.motion->keys, light.motion->repeat, seconds);
+  const auto towards = [&](std::size_t key) {
+    return light.motion->keys[key].towards.value_or(light.towards);
+  };
+  result.towards = towards(place.from);
+  if (place.fraction == 0) return result;
+  if (areOpposite(towards(place.from), towards(place.to)))
+    throw InputError(fmt::format(
+        "a directional light at second {}: the directions of two keys are opposite", seconds));
+  result.towards =
+      directionBetween(unit(towards(place.from)), unit(towards(place.to)), place.fraction);
+  return result;
+}
+
+bool areOpposite(const glm::dvec3& a, const glm::dvec3& b) {
+  constexpr double rounding = 1e-12;
+  return glm::length(unit(a) + unit(b)) < rounding;
 }
 
 CameraDescription cameraAtKey(const CameraDescription& camera, const CameraKey& key) {

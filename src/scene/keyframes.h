@@ -81,6 +81,19 @@ struct LightState {
 
 LightState lightAt(const LightDescription& light, double seconds);
 
+/// The light at a second; without motion.
+PointLightDescription pointLightAt(const PointLightDescription& light, double seconds);
+
+/// The same. Between two keys the direction goes along the great circle through both of theirs, at
+/// constant speed where the ease is linear, and has the length 1. Throws InputError when these are
+/// opposite.
+DirectionalLightDescription directionalLightAt(const DirectionalLightDescription& light,
+                                               double seconds);
+
+/// Whether two directions, of any length but 0, are opposite as far as rounding can tell, so that
+/// no way from one to the other is shorter than others.
+bool areOpposite(const glm::dvec3& a, const glm::dvec3& b);
+
 /// The camera where a key puts it; without motion.
 CameraDescription cameraAtKey(const CameraDescription& camera, const CameraKey& key);
 

@@ -106,6 +106,32 @@ struct LightMotionDescription {
   Repeat repeat = Repeat::hold;
 };
 
+struct PointLightKey {
+  double seconds = 0;
+  /// Nothing: the light's own.
+  std::optional<glm::dvec3> position;
+  Ease ease = Ease::linear;
+};
+
+struct PointLightMotionDescription {
+  std::vector<PointLightKey> keys;
+  Repeat repeat = Repeat::hold;
+};
+
+struct DirectionalLightKey {
+  double seconds = 0;
+  /// Not zero; nothing: the light's own.
+  std::optional<glm::dvec3> towards;
+  Ease ease = Ease::linear;
+};
+
+/// Between two keys, whose directions are not opposite unless the first one holds, the direction
+/// takes the shorter way round.
+struct DirectionalLightMotionDescription {
+  std::vector<DirectionalLightKey> keys;
+  Repeat repeat = Repeat::hold;
+};
+
 /// Nothing: the camera's own.
 struct CameraKey {
   double seconds = 0;

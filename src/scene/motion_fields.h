@@ -67,6 +67,22 @@ void visitFields(Fields& fields, LightKey& key) {
 }
 
 template <typename Fields>
+void visitFields(Fields& fields, PointLightKey& key) {
+  fields.require("seconds");
+  fields.number("seconds", key.seconds, secondsRange);
+  fields.vector("position", key.position, coordinateRange);
+  fields.choice("ease", key.ease, easeNames);
+}
+
+template <typename Fields>
+void visitFields(Fields& fields, DirectionalLightKey& key) {
+  fields.require("seconds");
+  fields.number("seconds", key.seconds, secondsRange);
+  fields.vector("towards", key.towards, coordinateRange);
+  fields.choice("ease", key.ease, easeNames);
+}
+
+template <typename Fields>
 void visitFields(Fields& fields, CameraKey& key) {
   fields.require("seconds");
   fields.number("seconds", key.seconds, secondsRange);

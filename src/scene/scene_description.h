@@ -15,6 +15,7 @@
 #include "light/sky_settings.h"
 #include "scene/fit_objective.h"
 #include "scene/motion_description.h"
+#include "solids/shapes.h"
 #include "visibility/visibility_kind.h"
 
 namespace haarlight {
@@ -38,12 +39,19 @@ struct TransformDescription {
   glm::dvec3 translate{0, 0, 0};
 };
 
-/// A mesh that is seen, receives shadows at its vertices and, unless told otherwise, casts them.
+/// A mesh or a solid that is seen, receives shadows and, unless told otherwise, casts them.
 struct ObjectDescription {
-  /// For messages and for choosing an object; by default the mesh's name without folder and suffix.
+  /// For messages and for choosing an object; see defaultObjectName (scene/scene_file.h).
   std::string name;
-  /// Path of a mesh or glTF file, or a name of builtinMeshNames (mesh/builtin_meshes.h).
+  /// Path of a mesh or glTF file, or a name of builtinMeshNames (mesh/builtin_meshes.h); empty:
+  /// there is a solid.
   std::string mesh;
+  /// Instead of a mesh. Its transform has no `fit` and the same scale along all axes; it has
+  /// neither deformation nor transfer.
+  std::optional<Shape> solid;
+  /// Objects of one family get a node of their own in the tree of boxes that hard shadows are found
+  /// by (shadow/box_tree.h).
+  std::optional<std::string> family;
   TransformDescription transform;
   /// Diffuse reflectance, 0 to 1.
   glm::dvec3 albedo{0.5, 0.5, 0.5};
@@ -103,6 +111,25 @@ struct LightDescription {
   /// Near light, for the method sh: these shine on surfaces instead of `source`, blended by the
   /// inverse squares of their distances.
   std::vector<LightSampleDescription> samples;
+};
+
+/// A light at one point, with hard shadows.
+struct PointLightDescription {
+  /// World units.
+  glm::dvec3 position{0, 0, 0};
+  /// W/sr: a white diffuse surface that faces the light at the distance r has the radiance
+  /// intensity / (π r²).
+  glm::dvec3 intensity{0, 0, 0};
+  std::optional<PointLightMotionDescription> motion;
+};
+
+/// A light so far away that its rays are parallel, with hard shadows.
+struct DirectionalLightDescription {
+  /// From the scene to the light; of any length but 0.
+  glm::dvec3 towards{0, 1, 0};
+  /// On a surface that faces the light.
+  glm::dvec3 irradiance{0, 0, 0};
+  std::optional<DirectionalLightMotionDescription> motion;
 };
 
 /// A pinhole camera.
@@ -166,6 +193,8 @@ struct SceneDescription {
   std::vector<ObjectDescription> objects;
   std::optional<ReceiverDescription> receiver;
   LightDescription light;
+  std::vector<PointLightDescription> pointLights;
+  std::vector<DirectionalLightDescription> directionalLights;
   CameraDescription camera;
   ImageDescription image;
   ShadingDescription shading;

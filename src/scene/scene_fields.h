@@ -9,6 +9,7 @@
 #include "scene/motion_fields.h"
 #include "scene/names.h"
 #include "scene/scene_description.h"
+#include "scene/solid_fields.h"
 
 namespace haarlight {
 
@@ -23,9 +24,10 @@ void visitFields(Fields& fields, TransformDescription& transform) {
 
 template <typename Fields>
 void visitFields(Fields& fields, ObjectDescription& object) {
-  fields.require("mesh");
   fields.text("name", object.name);
   fields.resource("mesh", object.mesh, builtinMeshNames());
+  fields.object("solid", object.solid);
+  fields.text("family", object.family);
   fields.object("transform", object.transform);
   fields.vector("albedo", object.albedo, unitRange);
   fields.countOrFile("spheres", object.spheres, Range{1, 4096});
@@ -75,6 +77,24 @@ void visitFields(Fields& fields, LightDescription& light) {
 }
 
 template <typename Fields>
+void visitFields(Fields& fields, PointLightDescription& light) {
+  fields.require("position");
+  fields.require("intensity");
+  fields.vector("position", light.position, coordinateRange);
+  fields.vector("intensity", light.intensity, intensityRange);
+  fields.object("motion", light.motion);
+}
+
+template <typename Fields>
+void visitFields(Fields& fields, DirectionalLightDescription& light) {
+  fields.require("towards");
+  fields.require("irradiance");
+  fields.vector("towards", light.towards, coordinateRange);
+  fields.vector("irradiance", light.irradiance, radianceRange);
+  fields.object("motion", light.motion);
+}
+
+template <typename Fields>
 void visitFields(Fields& fields, CameraDescription& camera) {
   fields.vector("position", camera.position, coordinateRange);
   fields.vector("target", camera.target, coordinateRange);
@@ -103,6 +123,9 @@ void visitFields(Fields& fields, ShadingDescription& shading) {
   fields.choice("engine", shading.engine, engineChoiceNames);
 }
 
+/// Of one kind.
+inline constexpr std::size_t maximumPunctualLights = 16;
+
 template <typename Fields>
 void visitFields(Fields& fields, SceneDescription& scene) {
   fields.ignoredText("$schema");
@@ -110,6 +133,8 @@ void visitFields(Fields& fields, SceneDescription& scene) {
   fields.list("objects", scene.objects, 1024);
   fields.object("receiver", scene.receiver);
   fields.object("light", scene.light);
+  fields.list("pointLights", scene.pointLights, maximumPunctualLights);
+  fields.list("directionalLights", scene.directionalLights, maximumPunctualLights);
   fields.object("camera", scene.camera);
   fields.object("image", scene.image);
   fields.object("shading", scene.shading);

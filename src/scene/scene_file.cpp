@@ -13,6 +13,7 @@
 #include "scene/json_text.h"
 #include "scene/scene_checks.h"
 #include "scene/scene_fields.h"
+#include "solids/solid_checks.h"
 
 namespace haarlight {
 
@@ -24,7 +25,7 @@ SceneDescription parseScene(std::string_view text, const std::filesystem::path& 
   FieldReader::read(document, scene);
   checkTogether(scene, document);
   for (ObjectDescription& object : scene.objects)
-    if (object.name.empty()) object.name = defaultObjectName(object.mesh);
+    if (object.name.empty()) object.name = defaultObjectName(object);
   return scene;
 }
 
@@ -44,6 +45,10 @@ std::string sceneToJson(const SceneDescription& scene) {
 std::string defaultObjectName(const std::string& mesh) {
   if (mesh.starts_with(builtinPrefix)) return mesh.substr(builtinPrefix.size());
   return std::filesystem::path(mesh).stem().string();
+}
+
+std::string defaultObjectName(const ObjectDescription& object) {
+  return object.solid ? shapeName(*object.solid) : defaultObjectName(object.mesh);
 }
 
 bool isGltfFile(const std::string& mesh) {

@@ -27,6 +27,8 @@ std::string sceneToJson(const SceneDescription& scene);
 /// The name of an object that is given none: "torusknot" for "builtin:torusknot" and for
 /// "meshes/torusknot.obj".
 std::string defaultObjectName(const std::string& mesh);
+/// The same, or the name of a solid's shape ("cone").
+std::string defaultObjectName(const ObjectDescription& object);
 
 /// Whether the extension of a mesh's path is .gltf or .glb, in capitals or not.
 bool isGltfFile(const std::string& mesh);

@@ -78,6 +78,8 @@ bool JsonSchema::allowsBy(const std::string& keyword, const Json& schema, const 
     return !value.is_string() || std::regex_search(value.get<std::string>(), compiled(operand));
   if (keyword == "minItems") return !value.is_array() || value.size() >= operand;
   if (keyword == "maxItems") return !value.is_array() || value.size() <= operand;
+  if (keyword == "minProperties") return !value.is_object() || value.size() >= operand;
+  if (keyword == "maxProperties") return !value.is_object() || value.size() <= operand;
   if (keyword == "items")
     return !value.is_array() || std::all_of(value.begin(), value.end(), byItems);
   if (keyword == "required")

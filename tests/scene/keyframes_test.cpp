@@ -223,6 +223,58 @@ TEST_CASE("lights turn, change their scale and cross-fade") {
   CHECK(lightAt(light, 9).scale == 0);
 }
 
+TEST_CASE("a point light goes straight from key to key") {
+  PointLightDescription light{{1, 2, 3}, {5, 6, 7}, {}};
+  CHECK(pointLightAt(light, 2).position == glm::dvec3(1, 2, 3));
+  light.motion = PointLightMotionDescription{
+      {{1, glm::dvec3(0, 4, 0), Ease::linear}, {3, {}, Ease::smooth}}, Repeat::pingpong};
+  CHECK(pointLightAt(light, 0).position == glm::dvec3(0, 4, 0));
+  CHECK(pointLightAt(light, 1.5).position == glm::dvec3(0.25, 3.5, 0.75));
+  CHECK(pointLightAt(light, 3).position == glm::dvec3(1, 2, 3));
+  CHECK(pointLightAt(light, 4.5).position == glm::dvec3(0.25, 3.5, 0.75));
+  CHECK(pointLightAt(light, 1.5).intensity == glm::dvec3(5, 6, 7));
+  CHECK_FALSE(pointLightAt(light, 1.5).motion);
+}
+
+TEST_CASE("a direction to a light turns at constant speed, whatever its length") {
+  DirectionalLightDescription light{{0, 3, 0}, {5, 6, 7}, {}};
+  CHECK(directionalLightAt(light, 2).towards == glm::dvec3(0, 3, 0));
+  light.motion = DirectionalLightMotionDescription{
+      {{0, {}, Ease::linear}, {3, glm::dvec3(1e-300, 0, 0), Ease::linear}}, Repeat::hold};
+  CHECK(directionalLightAt(light, 0).towards == glm::dvec3(0, 3, 0));
+  checkNear(directionalLightAt(light, 1).towards, {0.5, std::sqrt(0.75), 0});
+  checkNear(directionalLightAt(light, 1.5).towards, {halfRoot, halfRoot, 0});
+  CHECK(directionalLightAt(light, 3).towards == glm::dvec3(1e-300, 0, 0));
+  CHECK(directionalLightAt(light, 1).irradiance == glm::dvec3(5, 6, 7));
+  CHECK_FALSE(directionalLightAt(light, 1).motion);
+}
+
+TEST_CASE("a direction takes the shorter way, and between equal ones stays") {
+  DirectionalLightDescription light{{0, 1, 0}, {1, 1, 1}, DirectionalLightMotionDescription{}};
+  const double angle = 3;  // of a half turn, π
+  light.motion->keys = {
+      {0, {}, Ease::linear},
+      {1, glm::dvec3(0, std::cos(angle), -std::sin(angle)), Ease::linear},
+      {2, glm::dvec3(0, 2 * std::cos(angle), -2 * std::sin(angle)), Ease::linear}};
+  checkNear(directionalLightAt(light, 0.25).towards,
+            {0, std::cos(angle / 4), -std::sin(angle / 4)});
+  checkNear(directionalLightAt(light, 1.25).towards, {0, std::cos(angle), -std::sin(angle)});
+}
+
+TEST_CASE("between opposite directions there is no shorter way") {
+  CHECK(areOpposite({1e-300, 2e-300, 0}, {-1e6, -2e6, 0}));
+  CHECK_FALSE(areOpposite({1, 0, 0}, {-1, 1e-9, 0}));
+  DirectionalLightDescription light{{0, 1, 0}, {1, 1, 1}, DirectionalLightMotionDescription{}};
+  light.motion->keys = {{0, {}, Ease::linear}, {2, glm::dvec3(0, -1, 0), Ease::linear}};
+  CHECK(directionalLightAt(light, 0).towards == glm::dvec3(0, 1, 0));
+  CHECK_THROWS_WITH_AS(directionalLightAt(light, 1),
+                       "a directional light at second 1: the directions of two keys are opposite",
+                       InputError);
+  light.motion->keys[0].ease = Ease::hold;
+  CHECK(directionalLightAt(light, 1).towards == glm::dvec3(0, 1, 0));
+  CHECK(directionalLightAt(light, 2).towards == glm::dvec3(0, -1, 0));
+}
+
 TEST_CASE("a camera moves between its keys") {
   CameraDescription camera;
   camera.position = {1, 2, 3};

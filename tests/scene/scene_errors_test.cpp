@@ -143,7 +143,11 @@ TEST_CASE("unknown fields are answered with the nearest known one") {
 
 TEST_CASE("fields that must be there are missed") {
   CHECK(complaint(R"({"objects": [{"albedo": [1, 1, 1]}]})") ==
-        "scene.json: objects[0]: field 'mesh' is missing");
+        "scene.json: objects[0]: give a mesh or a solid");
+  CHECK(complaintBesideReceiver(R"("pointLights": [{"position": [0, 1, 0]}])") ==
+        "scene.json: pointLights[0]: field 'intensity' is missing");
+  CHECK(complaintBesideReceiver(R"("directionalLights": [{"irradiance": [1, 1, 1]}])") ==
+        "scene.json: directionalLights[0]: field 'towards' is missing");
   CHECK(complaint("{}") == "scene.json: there is nothing to see; give objects or a receiver");
   CHECK(complaint(R"({"objects": []})") ==
         "scene.json: there is nothing to see; give objects or a receiver");

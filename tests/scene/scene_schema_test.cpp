@@ -24,6 +24,8 @@ ObjectDescription movingObject() {
   ObjectDescription object;
   object.name = "a";
   object.mesh = "a.obj";
+  object.family = "letters";
+  object.transform.scale = {1, 2, 3};
   object.transfer = "a.prt";
   object.deformation.emplace().pointCache = "a.pc2";
   object.deformation->framesPerSecond = 25;
@@ -34,9 +36,38 @@ ObjectDescription movingObject() {
   return object;
 }
 
-/// A document with every field the parser knows, whose camera stays valid when one value changes.
+/// One of each shape, with measures of which any one may be another.
+std::vector<ObjectDescription> solidObjects() {
+  std::vector<ObjectDescription> objects;
+  for (const Shape& shape :
+       {Shape(SphereShape{}), Shape(EllipsoidShape{}), Shape(BoxShape{}), Shape(CylinderShape{}),
+        Shape(ConeShape{}), Shape(TorusShape{1e6, 1e-6})}) {
+    ObjectDescription& object = objects.emplace_back();
+    object.name = "b";
+    object.solid = shape;
+  }
+  objects.front().motion.emplace().keys.resize(1);
+  return objects;
+}
+
+/// Every field of solids and of lights with hard shadows.
+Json documentOfSolids() {
+  SceneDescription scene;
+  scene.objects = solidObjects();
+  PointLightDescription& point = scene.pointLights.emplace_back();
+  point.motion = {{{0, glm::dvec3(1, 2, 3), Ease::linear}}, {}};
+  DirectionalLightDescription& directional = scene.directionalLights.emplace_back();
+  directional.towards = {1, 2, 3};
+  directional.motion = {{{0, glm::dvec3(1, 2, 3), Ease::linear}}, {}};
+  Json document{{"receiver", Json::object()}};
+  for (const char* name : {"objects", "pointLights", "directionalLights"})
+    document[name] = Json::parse(sceneToJson(scene))[name];
+  return document;
+}
+
+/// Every field of meshes and of what surrounds them; the camera stays valid when one value changes.
 /// The sources of a deformation, which exclude each other, are spread over three objects.
-Json wholeDocument() {
+Json documentOfMeshes() {
   SceneDescription scene;
   scene.objects.push_back(movingObject());
   scene.receiver.emplace();
@@ -56,6 +87,11 @@ Json wholeDocument() {
   document["objects"].push_back({{"mesh", "b.obj"}, {"deformation", {{"sequence", "b_%04d.obj"}}}});
   document["objects"].push_back({{"mesh", "c.glb"}, {"deformation", {{"animation", "run"}}}});
   return document;
+}
+
+/// Together they have every field that the parser knows.
+std::vector<Json> documents() {
+  return {documentOfMeshes(), documentOfSolids()};
 }
 
 /// The place with the first element of every array instead of another.
@@ -120,6 +156,11 @@ std::vector<Json> typeProbes() {
                            Json::object(),
                            Json{{"x", 1}},
                            Json{{"mesh", "builtin:sphere"}},
+                           Json{{"solid", {{"cone", {{"height", 2}}}}}},
+                           Json{{"sphere", {{"radius", 2}}}},
+                           Json{{"sphere", Json::object()}, {"box", Json::object()}},
+                           Json{{"fit", 2}, {"scale", {1, 2, 3}}},
+                           Json{{"fit", "none"}, {"scale", 2}},
                            Json{{"seconds", 1}},
                            Json{{"keys", Json::array({{{"seconds", 1}}})}},
                            Json{{"pointCache", "a.mdd"}},
@@ -195,14 +236,14 @@ TEST_CASE("the built-in scenes satisfy the schema") {
 }
 
 TEST_CASE("schema and parser know the same fields, and each has a description") {
-  const Json document = wholeDocument();
   std::map<std::string, std::set<std::string>> known;
-  for (const Place& place : fieldsOf(document)) {
-    CAPTURE(place.to_string());
-    CHECK(schema().at(place).contains("description"));
-    if (document[place].is_object())
-      known[withFirstElements(place).to_string()].merge(namesIn(document[place]));
-  }
+  for (const Json& document : documents())
+    for (const Place& place : fieldsOf(document)) {
+      CAPTURE(place.to_string());
+      CHECK(schema().at(place).contains("description"));
+      if (document[place].is_object())
+        known[withFirstElements(place).to_string()].merge(namesIn(document[place]));
+    }
   for (const auto& [place, names] : known) {
     CAPTURE(place);
     std::set<std::string> expected = namesIn(schema().at(Place(place)).at("properties"));
@@ -212,58 +253,59 @@ TEST_CASE("schema and parser know the same fields, and each has a description") 
 }
 
 TEST_CASE("defaults in the schema are the parser's") {
-  const Json document = wholeDocument();
-  for (const Place& place : fieldsOf(document)) {
-    CAPTURE(place.to_string());
-    const Json subschema = schema().at(place);
-    if (!subschema.contains("default")) {
-      CHECK((document[place].is_object() || isRequired(place) ||
-             std::string(subschema["description"]).find("Default: ") != std::string::npos));
-    } else {
-      CHECK(normalForm(with(document, place, subschema["default"])) ==
-            normalForm(without(document, place)));
+  for (const Json& document : documents())
+    for (const Place& place : fieldsOf(document)) {
+      CAPTURE(place.to_string());
+      const Json subschema = schema().at(place);
+      if (!subschema.contains("default")) {
+        CHECK((document[place].is_object() || isRequired(place) ||
+               std::string(subschema["description"]).find("Default: ") != std::string::npos));
+      } else {
+        CHECK(normalForm(with(document, place, subschema["default"])) ==
+              normalForm(without(document, place)));
+      }
     }
-  }
 }
 
 TEST_CASE("schema and parser agree on every limit, choice and type at every place") {
   const JsonSchema sceneFileSchema = schema();
-  const Json document = wholeDocument();
   std::vector<Json> probes = typeProbes();
   collectProbes(Json::parse(sceneSchema()), probes);
   std::ranges::sort(probes);
   probes.erase(std::unique(probes.begin(), probes.end()), probes.end());
-  int allowed = 0, refused = 0;
-  for (const Place& place : placesOf(document))
-    for (const Json& probe : probes) {
-      const Json changed = with(document, place, probe);
-      const bool expected = sceneFileSchema.allows(changed);
-      if (parserAllows(changed) != expected) {
-        CAPTURE(place.to_string());
-        CAPTURE(probe.dump().substr(0, 80));
-        CHECK(parserAllows(changed) == expected);
+  for (const Json& document : documents()) {
+    int allowed = 0, refused = 0;
+    for (const Place& place : placesOf(document))
+      for (const Json& probe : probes) {
+        const Json changed = with(document, place, probe);
+        const bool expected = sceneFileSchema.allows(changed);
+        if (parserAllows(changed) != expected) {
+          CAPTURE(place.to_string());
+          CAPTURE(probe.dump().substr(0, 80));
+          CHECK(parserAllows(changed) == expected);
+        }
+        ++(expected ? allowed : refused);
       }
-      ++(expected ? allowed : refused);
-    }
-  CHECK(allowed > 500);
-  CHECK(refused > 500);
+    CHECK(allowed > 500);
+    CHECK(refused > 500);
+  }
 }
 
 TEST_CASE("schema and parser agree on fields that are missing or unknown") {
   const JsonSchema sceneFileSchema = schema();
-  const Json document = wholeDocument();
-  for (const Place& place : placesOf(document)) {
-    CAPTURE(place.to_string());
-    if (!place.empty()) {
-      const Json changed = without(document, place);
-      CHECK(parserAllows(changed) == sceneFileSchema.allows(changed));
+  for (const Json& document : documents())
+    for (const Place& place : placesOf(document)) {
+      CAPTURE(place.to_string());
+      if (!place.empty()) {
+        const Json changed = without(document, place);
+        CHECK(parserAllows(changed) == sceneFileSchema.allows(changed));
+      }
+      if (document[place].is_object()) {
+        const Json changed = with(document, place / "unknown", 1);
+        CHECK_FALSE(parserAllows(changed));
+        CHECK_FALSE(sceneFileSchema.allows(changed));
+      }
     }
-    if (document[place].is_object()) {
-      const Json changed = with(document, place / "unknown", 1);
-      CHECK_FALSE(parserAllows(changed));
-      CHECK_FALSE(sceneFileSchema.allows(changed));
-    }
-  }
   for (const char* text :
        {"{}", R"({"objects": []})", R"({"receiver": {}})", R"({"objects": [], "receiver": {}})",
         R"({"$schema": "x"})", R"({"$schema": "x", "receiver": {}})"})
