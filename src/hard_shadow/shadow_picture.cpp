@@ -23,10 +23,6 @@ double brightnessOf(const ShadowOctree& octree, const ShadowLeaf& leaf, double p
   return isSecond ? 1 - (1 - darker) * shown : 1;
 }
 
-double part(std::uint64_t count, std::uint64_t whole) {
-  return count == 0 ? 0 : double(count) / double(whole);
-}
-
 }  // namespace
 
 ShadowPicture::ShadowPicture(int width, int height, int raysPerSide,
@@ -78,26 +74,6 @@ void ShadowPicture::addRows(int first, const SurfaceView& view,
           weight * glm::vec3(radiance(view, i, inShadow, cells));
     }
   });
-}
-
-void ShadowDifference::add(const SurfaceView& view, const ShadowLight& light,
-                           std::span<const std::uint8_t> answer,
-                           std::span<const std::uint8_t> reference) {
-  for (std::size_t i = 0; i < view.points.size(); ++i) {
-    const SurfacePoint& point = view.points[i];
-    if (point.object == SurfacePoint::nothing || !facesLight(point, light)) continue;
-    inShadow += reference[i];
-    missing += reference[i] && !answer[i];
-    extra += answer[i] && !reference[i];
-  }
-}
-
-double ShadowDifference::areaError() const {
-  return part(extra, inShadow) - part(missing, inShadow);
-}
-
-double ShadowDifference::wrongPart() const {
-  return part(extra + missing, inShadow);
 }
 
 }  // namespace haarlight

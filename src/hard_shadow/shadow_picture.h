@@ -39,20 +39,4 @@ class ShadowPicture {
   Image image_;
 };
 
-/// How the shadows of a picture differ from the reference's, in camera rays that meet a surface
-/// which faces the light.
-struct ShadowDifference {
-  std::uint64_t inShadow = 0;  ///< by the reference
-  std::uint64_t missing = 0;   ///< of these, those in light
-  std::uint64_t extra = 0;     ///< in shadow, but not so by the reference
-
-  void add(const SurfaceView& view, const ShadowLight& light, std::span<const std::uint8_t> answer,
-           std::span<const std::uint8_t> reference);
-
-  /// Of the shadow's area, as a part of it; 0 where both have none.
-  double areaError() const;
-  /// Of all that is wrong, as a part of the shadow's area.
-  double wrongPart() const;
-};
-
 }  // namespace haarlight

@@ -4,7 +4,8 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "hard_shadow/shadow_picture.h"
+#include "hard_shadow/hard_shadow_method.h"
+#include "hard_shadow/shadow_difference.h"
 #include "mesh/builtin_meshes.h"
 #include "shadow_scenes.h"
 

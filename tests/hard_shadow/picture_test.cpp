@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "hard_shadow/shadow_difference.h"
 #include "hard_shadow/shadow_picture.h"
 #include "shadow_scenes.h"
 
