@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "hard_shadow/classic_shadows.h"
 #include "hard_shadow/exact_shadows.h"
@@ -57,8 +56,7 @@ class MethodWithLights : public HardShadowMethod {
 class OctreeMethod final : public MethodWithLights<SceneOctrees> {
  public:
   OctreeMethod(std::span<const ShadowParticipant> participants, std::span<const ShadowLight> lights,
-               const LevelOfDetail& detail)
-      : lights_(lights.begin(), lights.end()) {
+               const LevelOfDetail& detail) {
     for (const ShadowLight& light : lights) {
       shadows_.push_back(std::make_unique<SceneOctrees>(detail));
       shadows_.back()->show(participants, light);
@@ -94,20 +92,8 @@ class OctreeMethod final : public MethodWithLights<SceneOctrees> {
  private:
   void answerFor(std::size_t light, const SurfaceView& view,
                  std::span<std::uint8_t> inShadow) override {
-    parallelFor(view.points.size(), 4096, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const SurfacePoint& point = view.points[i];
-        inShadow[i] = point.object != SurfacePoint::nothing &&
-                      (!facesLight(point, lights_[light]) || isInShadow(light, point));
-      }
-    });
+    shadows_[light]->answer(view.points, inShadow);
   }
-
-  bool isInShadow(std::size_t light, const SurfacePoint& point) const {
-    return shadows_[light]->octrees()[point.object].isInShadow(point.position);
-  }
-
-  std::vector<ShadowLight> lights_;
 };
 
 class ClassicMethod final : public MethodWithLights<ClassicShadows> {

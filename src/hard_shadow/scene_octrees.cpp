@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "mesh_shadow/lit_mesh.h"
 #include "mesh_shadow/mesh_object.h"
 #include "shadow/solid_object.h"
 
@@ -77,6 +79,23 @@ std::vector<std::vector<std::uint32_t>> SceneOctrees::findCasters(
   std::erase_if(work_.pairs.kept,
                 [&](const ShadowPair& pair) { return !participants[pair.caster].castsShadow; });
   return castersByReceiver(work_.pairs.kept, participants.size());
+}
+
+void SceneOctrees::answer(std::span<const SurfacePoint> points,
+                          std::span<std::uint8_t> inShadow) const {
+  parallelFor(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const SurfacePoint& point = points[i];
+      inShadow[i] = point.object != SurfacePoint::nothing &&
+                    (!facesLight(point, *light_) || isInShadow(point));
+    }
+  });
+}
+
+bool SceneOctrees::isInShadow(const SurfacePoint& point) const {
+  const double reach = singlePrecisionMargin({point.position, point.position});
+  const auto leaf = octrees_[point.object].leafNear(point.position, reach);
+  return leaf && leaf->inShadow;
 }
 
 std::size_t SceneOctrees::memory() const {

@@ -43,18 +43,17 @@ class SceneOctrees {
 
   const std::vector<ShadowOctree>& octrees() const { return octrees_; }
 
-  /// The leaf that a point of a participant's surface lies in; of a point off the surface by no
-  /// more than `reach`, one that is no further than that.
-  std::optional<ShadowLeaf> leafNear(std::uint32_t object, const glm::dvec3& point,
-                                     double reach) const {
-    return octrees_[object].leafNear(point, reach);
-  }
+  /// Sets inShadow[i] to 1 where the light does not reach points[i], and to 0 elsewhere, also where
+  /// there is no object. Points may lie off their surface by single precision's rounding. Uses all
+  /// threads.
+  void answer(std::span<const SurfacePoint> points, std::span<std::uint8_t> inShadow) const;
 
   /// Bytes of all leaves.
   std::size_t memory() const;
 
  private:
   void prepare(std::span<const ShadowParticipant> participants, const std::vector<bool>& moved);
+  bool isInShadow(const SurfacePoint& point) const;
   std::vector<std::vector<std::uint32_t>> findCasters(
       std::span<const ShadowParticipant> participants);
 
