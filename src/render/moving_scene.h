@@ -23,7 +23,7 @@ class MovingScene {
   /// Loads meshes and lights, fits or reads the spheres, and shows second 0. Throws InputError.
   explicit MovingScene(const SceneDescription& description, const Progress& progress = {});
 
-  /// Whether anything, the camera included, changes over time.
+  /// Whether anything, the lights and the camera included, changes over time.
   bool moves() const;
 
   /// The objects with all that moves them, in the order of scene().objects.
@@ -32,17 +32,20 @@ class MovingScene {
   /// As shown.
   const Scene& scene() const { return scene_; }
 
-  /// Brings meshes, spheres and light to a second.
+  /// Brings meshes, solids, spheres and lights to a second.
   void show(double seconds);
 
   /// The same in steps, so that an engine can move the spheres: Engine::setSphereBinding(binding())
   /// once, then showMeshes, showSpheres(Engine::moveSpheres(boundVertices())), showLight.
-  void showMeshes(double seconds);
+  void showMeshes(double seconds);  ///< and solids
   void showSpheres(std::span<const Sphere> spheres);
-  /// Returns whether the light has changed; `ontoCube` as for MovingLight.
-  bool showLight(double seconds, bool ontoCube = true) {
-    return light_.show(seconds, scene_.light, ontoCube);
-  }
+  /// Returns whether the light all around has changed; `ontoCube` as for MovingLight. Lights with
+  /// hard shadows are brought to the second, too.
+  bool showLight(double seconds, bool ontoCube = true);
+
+  /// By object: whether its vertices differ from those that were shown before the last show() or
+  /// showMeshes(). At first, all objects.
+  const std::vector<bool>& movedObjects() const { return movedObjects_; }
 
   /// Binds the spheres of all moving objects that cast shadows, in order of the objects, to
   /// boundVertices().
@@ -64,6 +67,7 @@ class MovingScene {
   MovingLight light_;
   SphereBinding binding_;
   std::vector<glm::vec4> boundVertices_;
+  std::vector<bool> movedObjects_;
 };
 
 /// The scene at second 0.

@@ -42,18 +42,18 @@ struct ScreenSampler::Implementation {
         image(imageDescription),
         camera(cameraDescription, imageDescription.width, imageDescription.height),
         gridSide(std::max(1, int(std::ceil(std::sqrt(double(imageDescription.samplesPerPixel)))))) {
-    std::vector<const TriangleMesh*> meshes;
+    std::vector<Occluder> occluders;
     for (const SceneObject& object : scene.objects) {
-      meshes.push_back(&object.mesh);
+      occluders.push_back(object.occluder());
       albedos.push_back(object.albedo);
     }
     TriangleMesh plane;
     if (scene.receiver) {
       plane = planeMesh(*scene.receiver);
-      meshes.push_back(&plane);
+      occluders.push_back(&plane);
       albedos.push_back(glm::vec3(scene.receiver->albedo));
     }
-    rays = std::make_unique<RayScene>(meshes);
+    rays = std::make_unique<RayScene>(occluders);
   }
 
   CameraRay trace(double x, double y) const {
@@ -72,8 +72,9 @@ struct ScreenSampler::Implementation {
     const float side = glm::dot(hit.geometricNormal, hit.shadingNormal);
     point.fromBehind = side * glm::dot(hit.geometricNormal, direction) > 0;
     if (hit.object == scene.objects.size()) return point;
-    const glm::vec2 b = hit.barycentric;
     point.object = hit.object;
+    if (scene.objects[hit.object].solid) return point;
+    const glm::vec2 b = hit.barycentric;
     point.vertices = scene.objects[hit.object].mesh.triangles[hit.triangle];
     point.weights = {1 - b.x - b.y, b.x, b.y};
     return point;

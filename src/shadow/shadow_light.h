@@ -9,11 +9,15 @@ namespace haarlight {
 
 struct PointLight {
   glm::dvec3 position{0};
+
+  bool operator==(const PointLight&) const = default;
 };
 
 /// A light so far away that its rays are parallel.
 struct DirectionalLight {
   glm::dvec3 towards{0, 1, 0};  ///< from the scene to the light; not zero, of any length
+
+  bool operator==(const DirectionalLight&) const = default;
 };
 
 /// A light whose shadows have hard edges.
