@@ -11,21 +11,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<const TriangleMesh*> meshesOf(std::span<const ShadowParticipant> participants) {
-  static const TriangleMesh none;
-  std::vector<const TriangleMesh*> meshes;
-  for (const ShadowParticipant& participant : participants) {
-    const auto* mesh = std::get_if<const TriangleMesh*>(&participant.shape);
-    meshes.push_back(mesh ? *mesh : &none);
-  }
-  return meshes;
-}
-
 }  // namespace
 
 SurfaceViewer::SurfaceViewer(std::span<const ShadowParticipant> participants, const Camera& camera,
                              int width, int height, int raysPerSide)
-    : participants_(participants.begin(), participants.end()), rays_(meshesOf(participants)) {
+    : participants_(participants.begin(), participants.end()), rays_(shapesOf(participants)) {
   pixels_.eye = camera.position();
   pixels_.column = camera.columnStep() / double(raysPerSide);
   pixels_.row = camera.rowStep() / double(raysPerSide);
@@ -55,19 +45,22 @@ SurfaceView SurfaceViewer::rows(int first, int count) const {
 }
 
 SurfaceViewer::Sight SurfaceViewer::look(const glm::dvec3& direction) const {
-  Sight sight{{}, infinity};
-  if (const auto hit = rays_.closestHit(glm::vec3(pixels_.eye), glm::vec3(direction)))
-    sight = onMesh(hit->object, *hit, direction);
-  for (std::uint32_t i = 0; i < participants_.size(); ++i) {
-    const auto* solid = std::get_if<const Solid*>(&participants_[i].shape);
-    if (!solid) continue;
-    const Ray ray{pixels_.eye, direction, 0, sight.depth};
-    if (const auto hit = (*solid)->intersect(ray)) {
-      const double side = glm::dot(hit->normal, direction) > 0 ? -1 : 1;
-      sight = {{i, ray.at(hit->t), side * hit->normal}, hit->t};
-    }
-  }
-  return sight;
+  const auto hit = rays_.closestHit(glm::vec3(pixels_.eye), glm::vec3(direction));
+  if (!hit) return {{}, infinity};
+  const auto* solid = std::get_if<const Solid*>(&participants_[hit->object].shape);
+  return solid ? onSolid(hit->object, **solid, *hit, direction)
+               : onMesh(hit->object, *hit, direction);
+}
+
+/// Where the exact ray meets it; a ray that only grazes it may miss, and then sees the point that
+/// single precision found.
+SurfaceViewer::Sight SurfaceViewer::onSolid(std::uint32_t object, const Solid& solid,
+                                            const RayHit& hit, const glm::dvec3& direction) const {
+  const Ray ray{pixels_.eye, direction};
+  const SolidHit exact =
+      solid.intersect(ray).value_or(SolidHit{hit.distance, glm::dvec3(hit.geometricNormal)});
+  const double side = glm::dot(exact.normal, direction) > 0 ? -1 : 1;
+  return {{object, ray.at(exact.t), side * exact.normal}, exact.t};
 }
 
 /// The hit's place by its weights of the corners, which single precision does not take off the

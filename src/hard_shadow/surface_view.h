@@ -38,6 +38,8 @@ class SurfaceViewer {
     double depth;
   };
   Sight look(const glm::dvec3& direction) const;
+  Sight onSolid(std::uint32_t object, const Solid& solid, const RayHit& hit,
+                const glm::dvec3& direction) const;
   Sight onMesh(std::uint32_t object, const RayHit& hit, const glm::dvec3& direction) const;
 
   std::vector<ShadowParticipant> participants_;

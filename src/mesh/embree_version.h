@@ -1,7 +1,8 @@
 #pragma once
 
 /// The only place that knows what differs between Embree 3 and 4: the folder of the headers, and
-/// the context argument of version 3. For ray_scene.cpp alone.
+/// the context argument of version 3. For ray_scene.cpp and
+/// embree_solid.h alone.
 
 #if HAARLIGHT_EMBREE_VERSION == 3
 #include <embree3/rtcore.h>

@@ -4,11 +4,13 @@
 #include <array>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "mesh/embree_solid.h"
 #include "mesh/embree_version.h"
 
 namespace haarlight {
@@ -83,6 +85,13 @@ struct RayScene::Implementation {
     commit();
   }
 
+  explicit Implementation(std::span<const Occluder> occluders) : Implementation() {
+    for (std::size_t i = 0; i < occluders.size(); ++i)
+      std::visit([&](const auto* object) { attach(*object, static_cast<unsigned>(i)); },
+                 occluders[i]);
+    commit();
+  }
+
   explicit Implementation(std::span<const Sphere> spheres) : Implementation() {
     attach(spheres);
     commit();
@@ -102,9 +111,15 @@ struct RayScene::Implementation {
     rtcAttachGeometryByID(scene, geometry, 0);
   }
 
+  void attach(const Solid& solid, unsigned object) {
+    embree::attachSolid(device, scene, object, solids.emplace(object, solid).first->second);
+  }
+
   void attach(const TriangleMesh& mesh, unsigned object) {
-    normals.push_back(mesh.normals);
-    triangles.push_back(mesh.triangles);
+    normals.resize(object + 1);
+    triangles.resize(object + 1);
+    normals[object] = mesh.normals;
+    triangles[object] = mesh.triangles;
     if (mesh.triangles.empty()) return;
     const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     copyBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
@@ -126,6 +141,7 @@ struct RayScene::Implementation {
   }
 
   glm::vec3 interpolatedNormal(const RayHit& hit) const {
+    if (solids.contains(hit.object)) return hit.geometricNormal;
     const glm::uvec3& t = triangles[hit.object][hit.triangle];
     const auto& n = normals[hit.object];
     if (n.empty()) return hit.geometricNormal;
@@ -136,6 +152,7 @@ struct RayScene::Implementation {
   }
 
   std::string message;
+  std::map<std::uint32_t, Solid> solids;  ///< by object; Embree keeps pointers to them
   Device device;
   Scene scene;
   std::vector<std::vector<glm::vec3>> normals;
@@ -144,6 +161,8 @@ struct RayScene::Implementation {
 
 RayScene::RayScene(std::span<const TriangleMesh* const> meshes)
     : implementation_(std::make_unique<Implementation>(meshes)) {}
+RayScene::RayScene(std::span<const Occluder> occluders)
+    : implementation_(std::make_unique<Implementation>(occluders)) {}
 RayScene::RayScene(const TriangleMesh& mesh) : RayScene(std::array{&mesh}) {}
 RayScene::RayScene(std::span<const Sphere> spheres)
     : implementation_(std::make_unique<Implementation>(spheres)) {}

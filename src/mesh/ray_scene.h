@@ -8,14 +8,16 @@
 #include <optional>
 #include <span>
 
+#include "mesh/occluder.h"
 #include "mesh/triangle_mesh.h"
 #include "visibility/sphere.h"
 
 namespace haarlight {
 
-/// Where a ray meets a triangle.
+/// Where a ray meets a triangle or a solid. On a solid there is neither a triangle nor a place in
+/// it (both are 0), and both normals are the surface's own, outwards.
 struct RayHit {
-  std::uint32_t object = 0;    ///< index of the mesh in the scene
+  std::uint32_t object = 0;    ///< index of the mesh or solid in the scene
   std::uint32_t triangle = 0;  ///< index of the triangle in the mesh
   glm::vec2 barycentric{0};    ///< weights of the triangle's second and third vertex
   float distance = 0;          ///< in lengths of the ray's direction
@@ -24,22 +26,25 @@ struct RayHit {
   glm::vec3 geometricNormal{0};  ///< unit, on the side from which the winding is counter-clockwise
 };
 
-/// What a ray meets first, in numbers only.
+/// What a ray meets first, in numbers only; as RayHit.
 struct TriangleHit {
   std::uint32_t object, triangle;
   glm::vec2 barycentric;  ///< weights of the triangle's second and third vertex
   float distance;         ///< in lengths of the ray's direction
 };
 
-/// Triangle meshes, or spheres, prepared for ray queries by Embree. Directions need not be unit
-/// vectors; a ray starts at origin + near · direction and has no end but where one is given.
-/// Queries may run on any number of threads.
+/// Triangle meshes and solids, or spheres, prepared for ray queries by Embree. Solids are met by
+/// their formulas, in double precision, and count as filled for occluded and occluded16. Directions
+/// need not be unit vectors; a ray starts at origin + near · direction and has no end but where one
+/// is given. Queries may run on any number of threads.
 class RayScene {
  public:
   /// Object i is *meshes[i]; the meshes are copied. Throws std::runtime_error with Embree's words
   /// when it cannot build the scene.
   explicit RayScene(std::span<const TriangleMesh* const> meshes);
   explicit RayScene(const TriangleMesh& mesh);
+  /// Object i is *occluders[i]; all are copied.
+  explicit RayScene(std::span<const Occluder> occluders);
   /// Spheres instead of triangles: for occluded and occluded16 only.
   explicit RayScene(std::span<const Sphere> spheres);
   ~RayScene();

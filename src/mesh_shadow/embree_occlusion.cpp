@@ -18,14 +18,6 @@ constexpr std::size_t packetSize = 16;
 
 }  // namespace
 
-AxisBox boundsOf(const Occluder& shape) {
-  if (const auto* solid = std::get_if<const Solid*>(&shape)) return (*solid)->bounds();
-  AxisBox box;
-  for (const glm::vec3& p : std::get<const TriangleMesh*>(shape)->positions)
-    box = united(box, {p, p});
-  return box;
-}
-
 EmbreeOcclusion::EmbreeOcclusion(std::span<const Occluder> occluders, const ShadowLight& light)
     : occluders_(occluders.size()), light_(light) {
   for (std::uint32_t i = 0; i < occluders.size(); ++i) replace(i, occluders[i]);

@@ -2,21 +2,15 @@
 
 #include <map>
 #include <span>
-#include <variant>
 #include <vector>
 
+#include "mesh/occluder.h"
 #include "mesh/ray_scene.h"
 #include "shadow/occlusion_query.h"
 #include "shadow/shadow_light.h"
 #include "solids/axis_box.h"
-#include "solids/solid.h"
 
 namespace haarlight {
-
-/// An object that may stand in the way of light.
-using Occluder = std::variant<const Solid*, const TriangleMesh*>;
-
-AxisBox boundsOf(const Occluder& shape);
 
 /// Rays against meshes by Embree, sixteen at a time, and against solids by their formulas. Rays are
 /// sorted by caster, so that neighbouring cells' rays stay together. A ray starts a little before

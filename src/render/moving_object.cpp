@@ -1,15 +1,18 @@
 #include "render/moving_object.h"
 
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "mesh/mesh_file.h"
 #include "mesh/mesh_transform.h"
+#include "mesh/solid_mesh.h"
 #include "motion/gltf_mesh.h"
 #include "motion/mesh_sequence.h"
 #include "motion/point_cache.h"
 #include "scene/keyframes.h"
 #include "scene/scene_file.h"
 #include "scene/transform.h"
+#include "solids/scaled_shape.h"
 
 namespace haarlight {
 
@@ -38,6 +41,7 @@ AnimatedMesh loadAnimatedMesh(const ObjectDescription& description, double frame
 
 DeformingMesh deformingMesh(const ObjectDescription& description, double framesPerSecond,
                             std::vector<std::string>& warnings) {
+  if (description.solid) return DeformingMesh(solidMesh(*description.solid, standInSegments));
   AnimatedMesh animated = loadAnimatedMesh(description, framesPerSecond);
   for (const std::string& warning : animated.mesh.warnings)
     warnings.push_back(description.mesh + ": " + warning);
@@ -59,12 +63,35 @@ DeformingMesh deformingMesh(const ObjectDescription& description, double framesP
 MovingObject::MovingObject(const ObjectDescription& description, const SceneDescription& scene,
                            std::vector<std::string>& warnings)
     : mesh_(deformingMesh(description, scene.animation.framesPerSecond, warnings)),
-      toWorld_(objectToWorld(description.transform, mesh_.rest().positions, groundHeight(scene))),
-      pivot_(objectPivot(description.transform, mesh_.rest().positions, groundHeight(scene))),
-      motion_(description.motion) {}
+      motion_(description.motion) {
+  const TransformDescription& transform = description.transform;
+  const auto place = [&](const auto& body) {
+    toWorld_ = objectToWorld(transform, body, groundHeight(scene));
+    pivot_ = objectPivot(transform, body, groundHeight(scene));
+  };
+  if (description.solid) {
+    place(*description.solid);
+    solid_ = scaled(*description.solid, transform.scale.x);
+  } else {
+    place(std::span(mesh_.rest().positions));
+  }
+}
+
+glm::dmat4 MovingObject::exactToWorld(double seconds) const {
+  return motion_ ? motionMatrix(*motion_, pivot_, seconds) * toWorld_ : toWorld_;
+}
 
 glm::mat4 MovingObject::toWorld(double seconds) const {
-  return glm::mat4(motion_ ? motionMatrix(*motion_, pivot_, seconds) * toWorld_ : toWorld_);
+  return glm::mat4(exactToWorld(seconds));
+}
+
+std::optional<Solid> MovingObject::worldSolid(double seconds) const {
+  if (!solid_) return std::nullopt;
+  const glm::dmat4 toWorld = exactToWorld(seconds);
+  const double scale = motion_ ? motionScale(*motion_, seconds) : 1;
+  const double length = glm::length(glm::dvec3(toWorld[0]));
+  return Solid(scaled(*solid_, scale),
+               Placement(glm::dvec3(toWorld[3]), glm::dmat3(toWorld) / length));
 }
 
 TriangleMesh MovingObject::worldMesh(double seconds) {

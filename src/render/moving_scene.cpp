@@ -5,6 +5,7 @@
 
 #include "mesh/mesh_transform.h"
 #include "render/object_spheres.h"
+#include "scene/keyframes.h"
 #include "spheres/bind_spheres.h"
 
 namespace haarlight {
@@ -20,8 +21,11 @@ std::vector<Sphere> inWorld(const ObjectSpheres& spheres, const TriangleMesh& wo
 
 }  // namespace
 
-MovingScene::MovingScene(const SceneDescription& description, const Progress& progress)
-    : description_(description), light_(description.light, scene_.warnings) {
+MovingScene::MovingScene(const SceneDescription& description, const Progress& progress,
+                         SceneParts parts)
+    : description_(description),
+      parts_(parts),
+      light_(parts == SceneParts::all ? description.light : LightDescription{}, scene_.warnings) {
   scene_.receiver = description.receiver;
   for (const ObjectDescription& object : description.objects) addObject(object, progress);
   show(0);
@@ -36,8 +40,10 @@ void MovingScene::addObject(const ObjectDescription& description, const Progress
                                               {},
                                               {},
                                               description.albedo,
-                                              description.castsShadow});
-  if (!description.castsShadow) return;
+                                              description.castsShadow,
+                                              object.worldSolid(0),
+                                              description.family.value_or("")});
+  if (!description.castsShadow || parts_ == SceneParts::hardShadows) return;
   const ObjectSpheres spheres =
       spheresOf(description, {object.loadedMesh(), local, shown.mesh}, scene_.warnings, progress);
   shown.measures = spheres.set.measures;
@@ -53,7 +59,10 @@ void MovingScene::addObject(const ObjectDescription& description, const Progress
 }
 
 bool MovingScene::moves() const {
+  const auto hasMotion = [](const auto& light) { return light.motion.has_value(); };
   return light_.moves() || description_.camera.motion ||
+         std::ranges::any_of(description_.pointLights, hasMotion) ||
+         std::ranges::any_of(description_.directionalLights, hasMotion) ||
          std::ranges::any_of(objects_, &MovingObject::moves);
 }
 
@@ -68,10 +77,25 @@ void MovingScene::showMeshes(double seconds) {
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (!objects_[i].moves()) continue;
     SceneObject& shown = scene_.objects[i];
-    shown.mesh = objects_[i].worldMesh(seconds);
-    if (!shown.castsShadow) continue;
+    const TriangleMesh before = std::exchange(shown.mesh, objects_[i].worldMesh(seconds));
+    shown.solid = objects_[i].worldSolid(seconds);
+    shown.revision += before.positions != shown.mesh.positions;
+    if (!shown.castsShadow || parts_ == SceneParts::hardShadows) continue;
     for (const glm::vec3& position : shown.mesh.positions) *bound++ = glm::vec4(position, 0);
   }
+}
+
+bool MovingScene::showLight(double seconds, bool ontoCube) {
+  scene_.punctualLights.clear();
+  for (const PointLightDescription& description : description_.pointLights) {
+    const PointLightDescription light = pointLightAt(description, seconds);
+    scene_.punctualLights.push_back({PointLight{light.position}, light.intensity});
+  }
+  for (const DirectionalLightDescription& description : description_.directionalLights) {
+    const DirectionalLightDescription light = directionalLightAt(description, seconds);
+    scene_.punctualLights.push_back({DirectionalLight{light.towards}, light.irradiance});
+  }
+  return light_.show(seconds, scene_.light, ontoCube && parts_ == SceneParts::all);
 }
 
 void MovingScene::showSpheres(std::span<const Sphere> spheres) {

@@ -13,6 +13,9 @@
 
 namespace haarlight {
 
+/// What is needed of a scene: for hard shadows neither spheres nor the light all around.
+enum class SceneParts { all, hardShadows };
+
 /// A scene file with everything loaded, at any time. What is shown at a second depends on nothing
 /// that was shown before.
 ///
@@ -21,9 +24,10 @@ namespace haarlight {
 class MovingScene {
  public:
   /// Loads meshes and lights, fits or reads the spheres, and shows second 0. Throws InputError.
-  explicit MovingScene(const SceneDescription& description, const Progress& progress = {});
+  explicit MovingScene(const SceneDescription& description, const Progress& progress = {},
+                       SceneParts parts = SceneParts::all);
 
-  /// Whether anything, the camera included, changes over time.
+  /// Whether anything, the lights and the camera included, changes over time.
   bool moves() const;
 
   /// The objects with all that moves them, in the order of scene().objects.
@@ -32,17 +36,16 @@ class MovingScene {
   /// As shown.
   const Scene& scene() const { return scene_; }
 
-  /// Brings meshes, spheres and light to a second.
+  /// Brings meshes, solids, spheres and lights to a second.
   void show(double seconds);
 
   /// The same in steps, so that an engine can move the spheres: Engine::setSphereBinding(binding())
   /// once, then showMeshes, showSpheres(Engine::moveSpheres(boundVertices())), showLight.
-  void showMeshes(double seconds);
+  void showMeshes(double seconds);  ///< and solids
   void showSpheres(std::span<const Sphere> spheres);
-  /// Returns whether the light has changed; `ontoCube` as for MovingLight.
-  bool showLight(double seconds, bool ontoCube = true) {
-    return light_.show(seconds, scene_.light, ontoCube);
-  }
+  /// Returns whether the light all around has changed; `ontoCube` as for MovingLight. Lights with
+  /// hard shadows are brought to the second, too.
+  bool showLight(double seconds, bool ontoCube = true);
 
   /// Binds the spheres of all moving objects that cast shadows, in order of the objects, to
   /// boundVertices().
@@ -59,6 +62,7 @@ class MovingScene {
   void addObject(const ObjectDescription& description, const Progress& progress);
 
   SceneDescription description_;
+  SceneParts parts_;
   Scene scene_;
   std::vector<MovingObject> objects_;
   MovingLight light_;

@@ -76,11 +76,27 @@ bool scalesUniformly(const TransformDescription& transform) {
   return scale.x == scale.y && scale.y == scale.z;
 }
 
+/// A sphere in its own stead.
+SphereSet exactSet(const SphereShape& sphere, const ObjectDescription& description,
+                   const TriangleMesh& mesh) {
+  SphereSet set;
+  set.spheres = {{glm::vec3(0), float(sphere.radius)}};
+  set.meshName = description.name;
+  set.meshHash = meshHash(mesh);
+  set.objective = description.objective;
+  set.measures = {1, 0, 0, 0, SilhouetteError{}};
+  set.method = "the solid itself";
+  return set;
+}
+
 }  // namespace
 
 ObjectSpheres spheresOf(const ObjectDescription& description, const ObjectPose& pose,
                         std::vector<std::string>& warnings, const Progress& progress) {
   if (const int* count = std::get_if<int>(&description.spheres)) {
+    const auto* sphere =
+        description.solid ? std::get_if<SphereShape>(&*description.solid) : nullptr;
+    if (sphere) return {exactSet(*sphere, description, pose.local), pose.local};
     const TriangleMesh& mesh = scalesUniformly(description.transform) ? pose.local : pose.world;
     return {fitOrReuse(mesh, *count, description.objective, description.name, progress), mesh};
   }
@@ -88,8 +104,8 @@ ObjectSpheres spheresOf(const ObjectDescription& description, const ObjectPose& 
   SphereSet set = readSphereSet(file);
   if (set.meshHash == meshHash(pose.loaded)) return {std::move(set), pose.loaded};
   if (set.meshHash != meshHash(pose.local))
-    warnings.push_back(
-        fmt::format("{} was made for another mesh than {}", file.string(), description.mesh));
+    warnings.push_back(fmt::format("{} was made for another mesh than {}", file.string(),
+                                   description.solid ? description.name : description.mesh));
   return {std::move(set), pose.local};
 }
 

@@ -29,7 +29,7 @@ struct ObjectSpheres {
 /// where it stands does not matter; where its transform stretches it unevenly, for the mesh in the
 /// world. The file of a set may also be made for the mesh as loaded; when it is for neither,
 /// `warnings` gets a line. A fitted set is kept in the cache folder and found again by the mesh's
-/// hash. Throws InputError.
+/// hash. A solid that is a sphere gets itself, however many are asked for. Throws InputError.
 ObjectSpheres spheresOf(const ObjectDescription& description, const ObjectPose& pose,
                         std::vector<std::string>& warnings, const Progress& progress);
 

@@ -79,21 +79,20 @@ class PixelMethod final : public TexelSumMethod {
   std::vector<Sphere> spheres_;
 };
 
-std::vector<const TriangleMesh*> blockerMeshes(const Scene& scene) {
-  std::vector<const TriangleMesh*> meshes;
-  for (const SceneObject& object : scene.objects)
-    if (object.castsShadow) meshes.push_back(&object.mesh);
-  return meshes;
-}
-
 /// Distance by which rays leave the surface they start on, over the extent of the blockers: well
 /// above the rounding of positions of this magnitude, well below anything seen.
 constexpr float relativeRayOffset = 1e-4f;
 
-float rayOffset(const std::vector<const TriangleMesh*>& meshes) {
+BoundingBox boxOf(const Occluder& occluder) {
+  if (const auto* mesh = std::get_if<const TriangleMesh*>(&occluder)) return boundingBox(**mesh);
+  const AxisBox box = std::get<const Solid*>(occluder)->bounds();
+  return {box.lower, box.upper};
+}
+
+float rayOffset(const std::vector<Occluder>& occluders) {
   float extent = 0;
-  for (const TriangleMesh* mesh : meshes) {
-    const BoundingBox box = boundingBox(*mesh);
+  for (const Occluder& occluder : occluders) {
+    const BoundingBox box = boxOf(occluder);
     for (const glm::vec3& corner : {glm::abs(box.lower), glm::abs(box.upper)})
       extent = std::max({extent, corner.x, corner.y, corner.z});
   }
@@ -151,7 +150,7 @@ class PixelMeshMethod final : public RayMethod {
   explicit PixelMeshMethod(const Scene& scene) : RayMethod(scene) { sceneChanged(true); }
 
   std::string name() const override { return "pixel-mesh"; }
-  void sceneChanged(bool) override { setBlockers(blockerMeshes(scene_)); }
+  void sceneChanged(bool) override { setBlockers(scene_.occluders()); }
 };
 
 class PixelRayMethod final : public RayMethod {

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "light/light_projection.h"
-#include "mesh/triangle_mesh.h"
+#include "mesh/occluder.h"
 #include "scene/scene_description.h"
+#include "shadow/punctual_light.h"
 #include "spheres/sphere_set.h"
 
 namespace haarlight {
@@ -15,6 +16,8 @@ namespace haarlight {
 /// An object as it stands in the world.
 struct SceneObject {
   std::string name;
+  /// The object itself, or polygons that stand in for `solid` where spheres are fitted to it or
+  /// follow it.
   TriangleMesh mesh;
   /// The spheres that block light in its stead; empty when it casts no shadow.
   std::vector<Sphere> spheres;
@@ -22,6 +25,14 @@ struct SceneObject {
   SphereMeasures measures;
   glm::vec3 albedo;
   bool castsShadow;
+  std::optional<Solid> solid;
+  /// Empty: none.
+  std::string family;
+  /// Another number whenever mesh or solid are elsewhere.
+  std::uint64_t revision = 0;
+
+  /// What rays meet: the solid, else the mesh.
+  Occluder occluder() const;
 };
 
 /// Light as it was measured at a place.
@@ -51,11 +62,15 @@ struct Scene {
   std::vector<SceneObject> objects;
   std::optional<ReceiverDescription> receiver;
   SceneLight light;
+  /// The point lights, then the directional ones.
+  std::vector<PunctualLight> punctualLights;
   /// One line each: what is unusual in the inputs.
   std::vector<std::string> warnings;
 
   /// All objects' spheres, in the order of the objects.
   std::vector<Sphere> blockerSpheres() const;
+  /// What blocks rays: the objects that cast shadows, in their order.
+  std::vector<Occluder> occluders() const;
 };
 
 }  // namespace haarlight

@@ -47,6 +47,14 @@ glm::dmat3 rotationOf(const glm::dmat3& matrix, const std::string& complaint) {
   return rotation;
 }
 
+void requireMeshes(const Scene& scene) {
+  for (const SceneObject& object : scene.objects)
+    if (object.solid)
+      throw InputError("object '" + object.name +
+                       "' is a solid, and transfer is for the vertices of meshes: use --method "
+                       "haar or shexp, or a mesh");
+}
+
 /// Fills the rows of a scene.
 class Assembly {
  public:
@@ -226,6 +234,7 @@ SceneTransfer Assembly::assemble(std::optional<int> order, const Progress& progr
 }  // namespace
 
 TriangleMesh wholeSceneMesh(const Scene& scene) {
+  requireMeshes(scene);
   TriangleMesh mesh;
   for (const SceneObject& object : scene.objects) append(mesh, object.mesh, object.castsShadow);
   if (scene.receiver) append(mesh, ReceiverGrid(*scene.receiver).vertices(), false);
@@ -235,6 +244,7 @@ TriangleMesh wholeSceneMesh(const Scene& scene) {
 SceneTransfer makeSceneTransfer(const SceneDescription& description, const MovingScene& scene,
                                 std::span<const fs::path> files, std::optional<int> order,
                                 const Progress& progress) {
+  requireMeshes(scene.scene());
   Assembly assembly(description, scene);
   assembly.readFiles(files);
   return assembly.assemble(order, progress);

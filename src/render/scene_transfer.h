@@ -34,13 +34,14 @@ struct SceneTransfer {
 /// description.objects[].transfer: for that object. `order`: of all rows; nothing: the largest of
 /// the files, else defaultTransferOrder.
 ///
-/// Throws InputError when a file cannot be read, fits nothing, or its object has been deformed.
+/// Throws InputError when a file cannot be read, fits nothing, or its object has been deformed, and
+/// when an object is a solid.
 SceneTransfer makeSceneTransfer(const SceneDescription& description, const MovingScene& scene,
                                 std::span<const std::filesystem::path> files,
                                 std::optional<int> order, const Progress& progress = {});
 
 /// All vertices of a scene in one mesh, in the order of SceneTransfer; the triangles are those of
-/// objects that cast shadows.
+/// objects that cast shadows. Throws InputError when an object is a solid.
 TriangleMesh wholeSceneMesh(const Scene& scene);
 
 }  // namespace haarlight

@@ -8,7 +8,8 @@
 
 namespace haarlight {
 
-/// Where a sample lies on the scene's meshes, for methods that know something of their vertices.
+/// Where a sample lies on the scene's objects, for methods that know something of their vertices.
+/// On a solid, which has none, `vertices` and `weights` mean nothing.
 struct MeshPoint {
   static constexpr std::uint32_t onReceiver = ~0u;
 
@@ -33,7 +34,8 @@ std::vector<SurfaceSample> planeSamples(const ReceiverDescription& receiver);
 /// The same in tiles (engine/tile_order.h), in which engines shade them fastest.
 std::vector<SurfaceSample> planeSamplesInTiles(const ReceiverDescription& receiver);
 
-/// One sample per vertex of the scene's object with an index.
+/// One sample per vertex of the scene's object with an index, be it of a solid's stand-in, whose
+/// vertices lie on the solid.
 std::vector<SurfaceSample> vertexSamples(const Scene& scene, std::size_t object);
 
 }  // namespace haarlight

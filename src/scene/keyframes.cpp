@@ -103,6 +103,11 @@ glm::dmat4 motionMatrix(const MotionDescription& motion, const glm::dvec3& pivot
   return matrix;
 }
 
+double motionScale(const MotionDescription& motion, double seconds) {
+  const KeyPlace place = keyPlace(motion.keys, motion.repeat, seconds);
+  return place.between(motion.keys[place.from].scale, motion.keys[place.to].scale);
+}
+
 LightState lightAt(const LightDescription& light, double seconds) {
   const LightSource own{light.source, light.layout};
   if (!light.motion)

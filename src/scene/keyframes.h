@@ -60,6 +60,9 @@ double degreesAt(const std::vector<AngleKey>& keys, const Playback& playback, do
 /// upper left 3 × 3 part is a rotation times a factor > 0.
 glm::dmat4 motionMatrix(const MotionDescription& motion, const glm::dvec3& pivot, double seconds);
 
+/// The factor in motionMatrix.
+double motionScale(const MotionDescription& motion, double seconds);
+
 /// As in LightDescription.
 struct LightSource {
   std::string source, layout;
