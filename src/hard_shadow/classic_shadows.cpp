@@ -32,9 +32,9 @@ void ClassicShadows::answer(const SurfaceView& view, std::span<std::uint8_t> inS
   for (const auto& caster : casters_) caster->volume.addCounts(view.pixels, view.depths, counts);
   parallelFor(counts.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const SurfacePoint& point = view.points[i];
+      const ReceiverPoint& point = view.points[i];
       inShadow[i] =
-          point.object != SurfacePoint::nothing && (counts[i] > 0 || !facesLight(point, light_));
+          point.object != ReceiverPoint::nothing && (counts[i] > 0 || !facesLight(point, light_));
     }
   });
 }

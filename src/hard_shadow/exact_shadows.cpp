@@ -24,7 +24,7 @@ ExactShadows::ExactShadows(std::span<const ShadowParticipant> participants,
 }
 
 /// From a mesh's own surface, off it by more than single precision's rounding.
-OcclusionRay ExactShadows::rayFrom(const SurfacePoint& point, std::uint32_t caster) const {
+OcclusionRay ExactShadows::rayFrom(const ReceiverPoint& point, std::uint32_t caster) const {
   const bool leavesCaster = point.object == caster;
   const Occluder& shape = participants_[caster].shape;
   if (!leavesCaster || !std::holds_alternative<const TriangleMesh*>(shape))
@@ -33,11 +33,11 @@ OcclusionRay ExactShadows::rayFrom(const SurfacePoint& point, std::uint32_t cast
   return {point.position + 4 * singlePrecisionMargin(box) * point.normal, caster, true};
 }
 
-std::uint64_t ExactShadows::answer(std::span<const SurfacePoint> points,
+std::uint64_t ExactShadows::answer(std::span<const ReceiverPoint> points,
                                    std::span<std::uint8_t> inShadow) const {
   std::vector<std::uint32_t> open;  // points that are not known to be in shadow
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const bool isSomething = points[i].object != SurfacePoint::nothing;
+    const bool isSomething = points[i].object != ReceiverPoint::nothing;
     inShadow[i] = isSomething && !facesLight(points[i], light_);
     if (isSomething && !inShadow[i]) open.push_back(i);
   }

@@ -18,11 +18,11 @@ class ExactShadows {
   /// Sets inShadow[i] to 1 where light does not reach points[i]: it faces away, or something stands
   /// in the way; elsewhere, and where there is no object, to 0. Returns the number of rays. Uses
   /// all threads.
-  std::uint64_t answer(std::span<const SurfacePoint> points,
+  std::uint64_t answer(std::span<const ReceiverPoint> points,
                        std::span<std::uint8_t> inShadow) const;
 
  private:
-  OcclusionRay rayFrom(const SurfacePoint& point, std::uint32_t caster) const;
+  OcclusionRay rayFrom(const ReceiverPoint& point, std::uint32_t caster) const;
 
   std::vector<ShadowParticipant> participants_;
   ShadowLight light_;

@@ -81,18 +81,18 @@ std::vector<std::vector<std::uint32_t>> SceneOctrees::findCasters(
   return castersByReceiver(work_.pairs.kept, participants.size());
 }
 
-void SceneOctrees::answer(std::span<const SurfacePoint> points,
+void SceneOctrees::answer(std::span<const ReceiverPoint> points,
                           std::span<std::uint8_t> inShadow) const {
   parallelFor(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const SurfacePoint& point = points[i];
-      inShadow[i] = point.object != SurfacePoint::nothing &&
+      const ReceiverPoint& point = points[i];
+      inShadow[i] = point.object != ReceiverPoint::nothing &&
                     (!facesLight(point, *light_) || isInShadow(point));
     }
   });
 }
 
-bool SceneOctrees::isInShadow(const SurfacePoint& point) const {
+bool SceneOctrees::isInShadow(const ReceiverPoint& point) const {
   const double reach = singlePrecisionMargin({point.position, point.position});
   const auto leaf = octrees_[point.object].leafNear(point.position, reach);
   return leaf && leaf->inShadow;

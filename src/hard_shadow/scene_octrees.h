@@ -46,14 +46,14 @@ class SceneOctrees {
   /// Sets inShadow[i] to 1 where the light does not reach points[i], and to 0 elsewhere, also where
   /// there is no object. Points may lie off their surface by single precision's rounding. Uses all
   /// threads.
-  void answer(std::span<const SurfacePoint> points, std::span<std::uint8_t> inShadow) const;
+  void answer(std::span<const ReceiverPoint> points, std::span<std::uint8_t> inShadow) const;
 
   /// Bytes of all leaves.
   std::size_t memory() const;
 
  private:
   void prepare(std::span<const ShadowParticipant> participants, const std::vector<bool>& moved);
-  bool isInShadow(const SurfacePoint& point) const;
+  bool isInShadow(const ReceiverPoint& point) const;
   std::vector<std::vector<std::uint32_t>> findCasters(
       std::span<const ShadowParticipant> participants);
 

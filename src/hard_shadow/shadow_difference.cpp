@@ -9,8 +9,8 @@ double part(std::uint64_t count, std::uint64_t whole) {
 }
 
 /// Whether the answer for a point of the view counts, as surfaces that face away are dark anyway.
-bool counts(const SurfacePoint& point, const ShadowLight& light) {
-  return point.object != SurfacePoint::nothing && facesLight(point, light);
+bool counts(const ReceiverPoint& point, const ShadowLight& light) {
+  return point.object != ReceiverPoint::nothing && facesLight(point, light);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct ShadowParticipant {
 };
 
 /// A point of a participant's surface.
-struct SurfacePoint {
+struct ReceiverPoint {
   static constexpr std::uint32_t nothing = ~std::uint32_t(0);
 
   std::uint32_t object = nothing;
@@ -29,7 +29,7 @@ struct SurfacePoint {
 };
 
 /// Whether the surface lies in light unless something stands in the way.
-inline bool facesLight(const SurfacePoint& point, const ShadowLight& light) {
+inline bool facesLight(const ReceiverPoint& point, const ShadowLight& light) {
   return !facesAway(point.normal, point.position, light);
 }
 

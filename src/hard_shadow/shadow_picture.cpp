@@ -43,8 +43,8 @@ ShadowPicture::ShadowPicture(int width, int height, int raysPerSide,
 glm::dvec3 ShadowPicture::radiance(const SurfaceView& view, std::size_t index,
                                    std::span<const std::vector<std::uint8_t>> inShadow,
                                    const HardShadowMethod* cells) const {
-  const SurfacePoint& point = view.points[index];
-  if (point.object == SurfacePoint::nothing) return ambient_ / std::numbers::pi;
+  const ReceiverPoint& point = view.points[index];
+  if (point.object == ReceiverPoint::nothing) return ambient_ / std::numbers::pi;
   glm::dvec3 irradiance(0);
   double brightness = 1;
   for (std::size_t k = 0; k < lights_.size(); ++k) {

@@ -14,8 +14,8 @@ namespace haarlight {
 /// What some rows of a picture's pixels see, row by row.
 struct SurfaceView {
   PixelView pixels;
-  std::vector<SurfacePoint> points;  ///< of each pixel; `nothing` where it sees none
-  std::vector<double> depths;        ///< t of PixelView; infinite there
+  std::vector<ReceiverPoint> points;  ///< of each pixel; `nothing` where it sees none
+  std::vector<double> depths;         ///< t of PixelView; infinite there
 };
 
 /// Finds what a picture's pixels see, with places on the surfaces in double precision.
@@ -34,7 +34,7 @@ class SurfaceViewer {
 
  private:
   struct Sight {
-    SurfacePoint point;
+    ReceiverPoint point;
     double depth;
   };
   Sight look(const glm::dvec3& direction) const;

@@ -47,7 +47,7 @@ TEST_CASE("a sphere's shadow on the floor is the disc that its radius tells, by 
   std::size_t inDisc = 0, seen = 0;
   std::vector<std::uint8_t> disc(view.points.size());
   for (std::size_t i = 0; i < view.points.size(); ++i) {
-    if (view.points[i].object == SurfacePoint::nothing) continue;
+    if (view.points[i].object == ReceiverPoint::nothing) continue;
     ++seen;
     REQUIRE(view.points[i].object == 0);
     REQUIRE(std::abs(view.points[i].position.y) < 1e-12);
@@ -115,7 +115,7 @@ TEST_CASE("rows of a view are those of the whole view") {
   REQUIRE(part.points.size() == 800);
   for (std::size_t i = 0; i < 800; ++i) {
     CHECK(part.points[i].object == whole.points[1600 + i].object);
-    if (part.points[i].object != SurfacePoint::nothing)
+    if (part.points[i].object != ReceiverPoint::nothing)
       CHECK(part.depths[i] == doctest::Approx(whole.depths[1600 + i]).epsilon(1e-6));
   }
 }

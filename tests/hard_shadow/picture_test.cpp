@@ -52,7 +52,7 @@ TEST_CASE("camera rays of a pixel are averaged") {
 
 TEST_CASE("differences count where the surface faces the light") {
   SurfaceView view;
-  const SurfacePoint up{0, {0, 0, 0}, {0, 1, 0}}, down{0, {0, 0, 0}, {0, -1, 0}};
+  const ReceiverPoint up{0, {0, 0, 0}, {0, 1, 0}}, down{0, {0, 0, 0}, {0, -1, 0}};
   view.points = {up, up, up, up, up, down, {}};
   const std::uint8_t answer[] = {1, 0, 1, 0, 1, 0, 1}, reference[] = {1, 1, 0, 0, 1, 1, 0};
   ShadowDifference difference;
