@@ -37,7 +37,6 @@ struct ShadowOptions {
   std::string sheet;
 };
 
-constexpr const char* defaultDetail = "0.02";
 const std::vector<std::string> allMethods{"octree", "classic", "exact"};
 
 SceneDescription describe(const ShadowOptions& options) {
@@ -74,20 +73,31 @@ std::vector<std::string> methodsOf(const ShadowOptions& options) {
   return methods;
 }
 
-void addRuns(const ShadowOptions& options, const SceneParticipants& scene,
-             std::span<const ShadowLight> lights, ShadowComparison& comparison) {
-  std::vector<std::string> details = options.details;
-  if (details.empty()) details.push_back(defaultDetail);
+/// Those asked for, or the scene's.
+std::vector<LevelOfDetail> detailsOf(const ShadowOptions& options,
+                                     const ShadingDescription& shading) {
+  std::vector<LevelOfDetail> details;
+  for (const std::string& text : options.details) details.push_back(parseDetail(text));
+  if (details.empty()) details.push_back(detailOf(shading));
+  for (LevelOfDetail& detail : details) {
+    detail.interior = options.interior;
+    checkDetail(detail);
+  }
+  return details;
+}
+
+void addRuns(const ShadowOptions& options, const std::vector<LevelOfDetail>& details,
+             const SceneParticipants& scene, std::span<const ShadowLight> lights,
+             ShadowComparison& comparison) {
   for (const std::string& method : methodsOf(options)) {
     if (method == "classic")
       comparison.add(method, makeClassicShadows(scene.asPolygons(), lights));
     else if (method == "exact")
       comparison.add(method, makeExactShadows(scene.participants(), lights));
     else
-      for (const std::string& detail : details)
-        comparison.add(
-            "octree " + detail,
-            makeOctreeShadows(scene.participants(), lights, parseDetail(detail, options.interior)));
+      for (const LevelOfDetail& detail : details)
+        comparison.add("octree " + textOf(detail),
+                       makeOctreeShadows(scene.participants(), lights, detail));
   }
 }
 
@@ -118,6 +128,7 @@ void shadow(const ShadowOptions& options) {
   checkOptions(options);
   const SceneDescription description = describe(options);
   const ImageDescription& image = description.image;
+  const auto details = detailsOf(options, description.shading);
   MovingScene moving(description, console.progress(), SceneParts::hardShadows);
   moving.show(options.seconds);
   for (const std::string& warning : moving.scene().warnings) console.warning(warning);
@@ -131,7 +142,7 @@ void shadow(const ShadowOptions& options) {
                                        image.height, raysPerSide, !options.plain});
   std::vector<ShadowLight> places;
   for (const PunctualLight& light : lights) places.push_back(light.light);
-  addRuns(options, scene, places, comparison);
+  addRuns(options, details, scene, places, comparison);
   const Progress progress = console.progress();
   comparison.run([&](double finished) {
     if (progress) progress("drawing shadows", finished);
@@ -163,7 +174,7 @@ void addMethodOptions(CLI::App& command, ShadowOptions& options) {
   command
       .add_option("--detail", options.details,
                   "Of octrees: the largest edge of the smallest cells in world units, or depth=N "
-                  "[0.02]; may be repeated, for --sheet")
+                  "[the scene's, depth=9]; may be repeated")
       ->allow_extra_args(false)
       ->group("Computation");
   command

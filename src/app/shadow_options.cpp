@@ -30,9 +30,8 @@ constexpr double irradianceAtTarget = 3;
 
 }  // namespace
 
-LevelOfDetail parseDetail(const std::string& text, int interior) {
+LevelOfDetail parseDetail(const std::string& text) {
   LevelOfDetail detail;
-  detail.interior = interior;
   const std::string_view prefix = "depth=";
   const std::string_view view = text;
   int depth = 0;
@@ -54,6 +53,27 @@ LevelOfDetail parseDetail(const std::string& text, int interior) {
   }
   checkDetail(detail);
   return detail;
+}
+
+LevelOfDetail detailOf(const ShadingDescription& shading) {
+  LevelOfDetail detail;
+  detail.boundary = shading.shadowDepth;
+  if (shading.shadowDetail) detail.boundary = *shading.shadowDetail;
+  return detail;
+}
+
+std::string textOf(const LevelOfDetail& detail) {
+  if (const auto* depth = std::get_if<int>(&detail.boundary))
+    return fmt::format("depth={}", *depth);
+  return fmt::format("{}", std::get<double>(detail.boundary));
+}
+
+void setShadowDetail(const LevelOfDetail& detail, ShadingDescription& shading) {
+  shading.shadowDetail.reset();
+  if (const auto* depth = std::get_if<int>(&detail.boundary))
+    shading.shadowDepth = *depth;
+  else
+    shading.shadowDetail = std::get<double>(detail.boundary);
 }
 
 void addPunctualLightOptions(CLI::App& command, PunctualLightOptions& options) {

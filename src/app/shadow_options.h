@@ -10,7 +10,12 @@
 namespace haarlight {
 
 /// Of the command line: a largest edge such as 0.02 in world units, or depth=N. Throws InputError.
-LevelOfDetail parseDetail(const std::string& text, int interior);
+LevelOfDetail parseDetail(const std::string& text);
+
+/// That of a scene, and how parseDetail would have it.
+LevelOfDetail detailOf(const ShadingDescription& shading);
+std::string textOf(const LevelOfDetail& detail);
+void setShadowDetail(const LevelOfDetail& detail, ShadingDescription& shading);
 
 /// Lights that the command line puts in the place of a scene's.
 struct PunctualLightOptions {
