@@ -65,15 +65,14 @@ MovingObject::MovingObject(const ObjectDescription& description, const SceneDesc
     : mesh_(deformingMesh(description, scene.animation.framesPerSecond, warnings)),
       motion_(description.motion) {
   const TransformDescription& transform = description.transform;
-  const auto place = [&](const auto& body) {
-    toWorld_ = objectToWorld(transform, body, groundHeight(scene));
-    pivot_ = objectPivot(transform, body, groundHeight(scene));
-  };
+  const double ground = groundHeight(scene);
   if (description.solid) {
-    place(*description.solid);
+    toWorld_ = solidToWorld(transform, *description.solid, ground);
+    pivot_ = solidPivot(transform, *description.solid, ground);
     solid_ = scaled(*description.solid, transform.scale.x);
   } else {
-    place(std::span(mesh_.rest().positions));
+    toWorld_ = objectToWorld(transform, mesh_.rest().positions, ground);
+    pivot_ = objectPivot(transform, mesh_.rest().positions, ground);
   }
 }
 

@@ -87,8 +87,8 @@ glm::dmat4 objectToWorld(const TransformDescription& transform,
   return matrixOf(transform, positions, groundHeight);
 }
 
-glm::dmat4 objectToWorld(const TransformDescription& transform, const Shape& shape,
-                         double groundHeight) {
+glm::dmat4 solidToWorld(const TransformDescription& transform, const Shape& shape,
+                        double groundHeight) {
   return matrixOf(transform, shape, groundHeight);
 }
 
@@ -97,8 +97,8 @@ glm::dvec3 objectPivot(const TransformDescription& transform, std::span<const gl
   return offsetOf(transform, positions, groundHeight);
 }
 
-glm::dvec3 objectPivot(const TransformDescription& transform, const Shape& shape,
-                       double groundHeight) {
+glm::dvec3 solidPivot(const TransformDescription& transform, const Shape& shape,
+                      double groundHeight) {
   return offsetOf(transform, shape, groundHeight);
 }
 

@@ -16,16 +16,16 @@ glm::dmat4 objectToWorld(const TransformDescription& transform,
 
 /// The same for a solid in its own coordinates (description.transform has no `fit` and one scale);
 /// `rest` looks at the solid itself.
-glm::dmat4 objectToWorld(const TransformDescription& transform, const Shape& shape,
-                         double groundHeight);
+glm::dmat4 solidToWorld(const TransformDescription& transform, const Shape& shape,
+                        double groundHeight);
 
 /// The point that the object's own rotation and motion leave where it is, in world coordinates: its
 /// origin, or with `fit` the middle of its bounding box, rested and translated. Parameters and
 /// errors as for objectToWorld.
 glm::dvec3 objectPivot(const TransformDescription& transform, std::span<const glm::vec3> positions,
                        double groundHeight);
-glm::dvec3 objectPivot(const TransformDescription& transform, const Shape& shape,
-                       double groundHeight);
+glm::dvec3 solidPivot(const TransformDescription& transform, const Shape& shape,
+                      double groundHeight);
 
 /// The y of the plane that objects rest on: the receiver's, or 0 without one.
 double groundHeight(const SceneDescription& scene);

@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <vector>
 
 #include "base/error.h"
@@ -91,4 +93,23 @@ TEST_CASE("fit refuses a mesh of one point or none") {
   const char* message = "transform.fit: the mesh has no extent that could be scaled";
   CHECK_THROWS_WITH_AS(objectToWorld(transform, point, 0), message, InputError);
   CHECK_THROWS_WITH_AS(objectToWorld(transform, {}, 0), message, InputError);
+}
+
+TEST_CASE("a solid rests on its own lowest point, which no vertex need know") {
+  TransformDescription transform;
+  transform.scale = glm::dvec3(2);
+  transform.rotateDegrees = {0, 0, 90};  // +y to −x
+  transform.rest = Rest::Ground;
+  transform.translate = {1, 2, 3};
+  // Lying on its side: a rim of radius 2 is lowest.
+  const Shape shape = ConeShape{1, 4, 0};
+  checkPoint(solidToWorld(transform, shape, 0.5), {0, 0, 0}, {1, 0.5 + 2 + 2, 3});
+  checkPoint(solidToWorld(transform, shape, 0.5), {0, 2, 0}, {1 - 4, 4.5, 3});
+  CHECK(glm::distance(solidPivot(transform, shape, 0.5), glm::dvec3(1, 4.5, 3)) < 1e-14);
+  transform.rotateDegrees = {0, 0, 33};
+  transform.scale = glm::dvec3(1);
+  // The furthest point of an ellipsoid down the world's y, seen from its own axes.
+  const double angle = glm::radians(33.0), x = 3 * std::sin(angle), y = std::cos(angle);
+  CHECK(solidPivot(transform, Shape(EllipsoidShape{{3, 1, 5}}), 0).y ==
+        doctest::Approx(2 + std::hypot(x, y)).epsilon(1e-14));
 }
