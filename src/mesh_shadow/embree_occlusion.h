@@ -26,7 +26,8 @@ class EmbreeOcclusion final : public OcclusionQuery {
   /// ray.caster counts in `occluders`. Meshes are copied, solids must stay.
   EmbreeOcclusion(std::span<const Occluder> occluders, const ShadowLight& light);
 
-  void answer(std::span<const OcclusionRay> rays, std::span<std::uint8_t> blocked) const override;
+  void answerHere(std::span<const OcclusionRay> rays,
+                  std::span<std::uint8_t> blocked) const override;
 
  private:
   using Order = std::span<const std::uint32_t>;  ///< numbers of rays that ask about one caster
@@ -39,8 +40,8 @@ class EmbreeOcclusion final : public OcclusionQuery {
   Ray startBefore(const OcclusionRay& ray, const AxisBox& bounds) const;
   void castPacket(const Mesh& mesh, std::span<const OcclusionRay> rays, Order order,
                   std::span<std::uint8_t> blocked) const;
-  void answer(std::uint32_t caster, std::span<const OcclusionRay> rays, Order order,
-              std::span<std::uint8_t> blocked) const;
+  void answerFor(std::uint32_t caster, std::span<const OcclusionRay> rays, Order order,
+                 std::span<std::uint8_t> blocked) const;
 
   std::vector<Occluder> occluders_;
   std::map<std::uint32_t, Mesh> meshes_;  ///< by occluder
