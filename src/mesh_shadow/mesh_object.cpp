@@ -1,9 +1,13 @@
 #include "mesh_shadow/mesh_object.h"
 
+#include <algorithm>
 #include <numeric>
 
+#include "mesh_shadow/crossed_triangles.h"
 #include "mesh_shadow/edge_shadow.h"
+#include "mesh_shadow/hidden_triangles.h"
 #include "mesh_shadow/lit_mesh.h"
+#include "mesh_shadow/plain_triangles.h"
 #include "mesh_shadow/triangle_box.h"
 #include "shadow/box_shadow.h"
 
@@ -24,8 +28,12 @@ class MeshObject final : public ShadowObject {
       : mesh_(mesh, light), margin_(singlePrecisionMargin(mesh_.bounds())) {
     for (const auto& [a, b] : mesh_.silhouette())
       silhouette_.emplace_back(mesh_.positions()[a], mesh_.positions()[b], light);
+    triangles_.reserve(mesh_.triangleCount());
     for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t)
       triangles_.emplace_back(mesh_.corners(t));
+    const auto crossed = findCrossedTriangles(triangles_, mesh_.triangles());
+    isPlain_ = findPlainTriangles(mesh_, crossed);
+    isHidden_ = findHiddenTriangles(mesh_, crossed);
   }
 
   AxisBox bounds() const override { return mesh_.bounds(); }
@@ -53,9 +61,14 @@ class MeshObject final : public ShadowObject {
   void addOwnStarts(const AxisBox& cell, PartView triangles,
                     std::vector<glm::dvec3>& starts) const override {
     const std::size_t before = starts.size();
-    for (const std::uint32_t triangle : triangles)
-      if (const auto point = pointInBoth(triangles_[triangle].corners, cell))
-        starts.push_back(offSurface({triangle, *point}));
+    std::vector<std::uint8_t> isFound(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (isFound[i]) continue;
+      const auto point = pointInBoth(triangles_[triangles[i]].corners, cell);
+      if (!point) continue;
+      starts.push_back(offSurface({triangles[i], *point}));
+      findSheet(cell, triangles, i, isFound);
+    }
     if (starts.size() == before) starts.push_back(ownStart(cell, triangles));
   }
 
@@ -79,11 +92,11 @@ class MeshObject final : public ShadowObject {
 
   CellShadow ownShadowOn(const Shaft& shaft, PartView surface, PartView parts,
                          Parts& kept) const override {
-    if (mesh_.holdsLight()) return CellShadow::all;
+    if (mesh_.holdsLight() || areHidden(surface)) return CellShadow::all;
     const std::size_t before = kept.size();
     for (const std::uint32_t edge : parts)
       if (silhouette_[edge].mayReach(shaft, margin_ + shaft.margin())) kept.push_back(edge);
-    return kept.size() == before && isOneSheet(surface) ? CellShadow::uniform : CellShadow::unknown;
+    return kept.size() == before && areSheets(surface) ? CellShadow::uniform : CellShadow::unknown;
   }
 
  private:
@@ -117,8 +130,40 @@ class MeshObject final : public ShadowObject {
     return place.point + 4 * margin_ * mesh_.normalToLight(place.triangle);
   }
 
+  /// Marks the triangles that hang together with one by edges in the cell.
+  void findSheet(const AxisBox& cell, PartView triangles, std::size_t first,
+                 std::vector<std::uint8_t>& isFound) const {
+    std::vector<std::size_t> open{first};
+    isFound[first] = 1;
+    while (!open.empty()) {
+      const std::uint32_t triangle = triangles[open.back()];
+      open.pop_back();
+      const TriangleCorners& corners = triangles_[triangle].corners;
+      for (int i = 0; i < 3; ++i) {
+        const auto next = std::ranges::lower_bound(triangles, mesh_.neighbor(triangle, i));
+        if (next == triangles.end() || *next != mesh_.neighbor(triangle, i)) continue;
+        const auto place = std::size_t(next - triangles.begin());
+        if (isFound[place] || !segmentMeetsBox(corners[i], corners[(i + 1) % 3], cell)) continue;
+        isFound[place] = 1;
+        open.push_back(place);
+      }
+    }
+  }
+
+  bool areHidden(PartView triangles) const {
+    return std::ranges::all_of(triangles, [&](std::uint32_t t) { return isHidden_[t] != 0; });
+  }
+
+  /// Whether none of the triangles may shadow a point of another, or a point of itself, where no
+  /// edge of the silhouette is.
+  bool areSheets(PartView triangles) const {
+    return std::ranges::all_of(
+               triangles, [&](std::uint32_t t) { return isPlain_[t] && mesh_.facing(t) != 0; }) ||
+           areApart(triangles);
+  }
+
   /// Whether no two of the triangles may shadow each other.
-  bool isOneSheet(PartView triangles) const {
+  bool areApart(PartView triangles) const {
     if (triangles.size() > mostCompared) return false;
     for (std::size_t i = 0; i < triangles.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
@@ -130,6 +175,7 @@ class MeshObject final : public ShadowObject {
   double margin_;
   std::vector<EdgeShadow> silhouette_;
   std::vector<BoxedTriangle> triangles_;
+  std::vector<std::uint8_t> isPlain_, isHidden_;  ///< of triangles
 };
 
 }  // namespace

@@ -78,6 +78,10 @@ bool triangleMeetsBox(const TriangleCorners& triangle, const AxisBox& box) {
          !isSeparatedAcross(ca, c, b, half);
 }
 
+bool segmentMeetsBox(const glm::dvec3& a, const glm::dvec3& b, const AxisBox& box) {
+  return box.contains(a) || box.contains(b) || triangleMeetsBox({a, b, b}, box);
+}
+
 BoxedTriangle::BoxedTriangle(const TriangleCorners& triangle)
     : corners(triangle),
       bounds{glm::min(glm::min(triangle[0], triangle[1]), triangle[2]),

@@ -14,6 +14,9 @@ using TriangleCorners = std::array<glm::dvec3, 3>;
 /// 2001). Triangles without an area, lines and points, count too.
 bool triangleMeetsBox(const TriangleCorners& triangle, const AxisBox& box);
 
+/// Whether a segment and a box have a point in common.
+bool segmentMeetsBox(const glm::dvec3& a, const glm::dvec3& b, const AxisBox& box);
+
 /// A triangle with its own box, by which most other boxes are told.
 struct BoxedTriangle {
   TriangleCorners corners;
