@@ -47,6 +47,16 @@ std::vector<std::string> methodsOf(const CompareOptions& options) {
   return methods;
 }
 
+/// Transfer is for meshes: unless it is asked for, `sh` is left out of a scene with solids.
+void leaveOutTransfer(const CompareOptions& options, const SceneDescription& scene,
+                      std::vector<std::string>& methods, Console& console) {
+  const bool hasSolids = std::ranges::any_of(
+      scene.objects, [](const ObjectDescription& object) { return object.solid.has_value(); });
+  if (!hasSolids || !options.methods.empty()) return;
+  std::erase(methods, "sh");
+  console.warning("the method sh is left out, for it has no transfer of solids");
+}
+
 /// Places of the references among the methods; without --reference the exact ones that are there,
 /// or the first.
 std::vector<std::size_t> referencesOf(const CompareOptions& options,
@@ -116,9 +126,11 @@ void compare(const CompareOptions& options) {
   Console console(options.general.json, options.general.quiet);
   setThreadCount(options.general.threads);
   if (!options.sheet.empty()) checkTarget(options.sheet, {".png"});
-  const auto methods = methodsOf(options);
+  auto methods = methodsOf(options);
+  SceneDescription description = describe(options, methods);
+  leaveOutTransfer(options, description, methods, console);
   const auto references = referencesOf(options, methods);
-  ShadingSetup setup(options.scene, describe(options, methods), console);
+  ShadingSetup setup(options.scene, std::move(description), console);
   Comparison comparison = renderAll(setup, methods);
   const auto rows = addErrors(comparison, references);
   const ImageDescription& image = setup.description().image;

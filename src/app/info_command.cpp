@@ -22,6 +22,7 @@
 #include "report/measures_json.h"
 #include "scene/names.h"
 #include "scene/scene_file.h"
+#include "solids/solid_checks.h"
 #include "spheres/sphere_measures.h"
 #include "spheres/sphere_set.h"
 #include "transfer/transfer_file.h"
@@ -100,17 +101,36 @@ Json describeTransfer(const std::string& name, const std::string& mesh) {
   return info;
 }
 
+Json describeObject(const ObjectDescription& object) {
+  Json info{{"name", object.name}};
+  if (object.solid)
+    info["solid"] = shapeName(*object.solid);
+  else
+    info["mesh"] = object.mesh;
+  if (object.family) info["family"] = *object.family;
+  return info;
+}
+
+void addPunctualLights(const SceneDescription& scene, Json& info) {
+  for (const PointLightDescription& light : scene.pointLights)
+    info["point_light"].push_back(
+        {{"position", list(light.position)}, {"intensity", list(light.intensity)}});
+  for (const DirectionalLightDescription& light : scene.directionalLights)
+    info["directional_light"].push_back(
+        {{"towards", list(light.towards)}, {"irradiance", list(light.irradiance)}});
+}
+
 Json describeSceneFile(const std::string& name) {
   const SceneDescription scene = readScene(name);
   Json objects = Json::array();
-  for (const ObjectDescription& object : scene.objects)
-    objects.push_back({{"name", object.name}, {"mesh", object.mesh}});
+  for (const ObjectDescription& object : scene.objects) objects.push_back(describeObject(object));
   Json info{{"kind", "scene"}, {"objects", scene.objects.size()}};
   if (!objects.empty()) info["object"] = objects;
   if (scene.receiver)
     info["receiver_samples"] =
         fmt::format("{}x{}", scene.receiver->samples.x, scene.receiver->samples.y);
   info["light"] = scene.light.source;
+  addPunctualLights(scene, info);
   info["image"] = fmt::format("{}x{}", scene.image.width, scene.image.height);
   info["method"] = nameOf(shadingMethodNames, scene.shading.method);
   info["terms"] = scene.shading.terms;

@@ -121,7 +121,7 @@ CLI::Option* addSeedOption(CLI::App& command, std::uint64_t& seed, const std::st
 void addSceneContentOptions(CLI::App& command, SceneOptions& options) {
   command
       .add_option("SCENE", options.scene,
-                  "Scene file, builtin:default, builtin:smooth or builtin:twist")
+                  fmt::format("Scene file, or {}", fmt::join(builtinScenes, ", ")))
       ->check(notEmpty());
   const TextOptions text{command};
   text("--mesh", options.mesh, "Instead of a scene: a mesh on the ground plane", "Scene");

@@ -18,8 +18,9 @@ struct Named {
 
 inline constexpr std::string_view builtinPrefix = "builtin:";
 
-inline constexpr std::array<std::string_view, 3> builtinScenes{"builtin:default", "builtin:smooth",
-                                                               "builtin:twist"};
+inline constexpr std::array<std::string_view, 5> builtinScenes{"builtin:default", "builtin:smooth",
+                                                               "builtin:twist", "builtin:lamp-knot",
+                                                               "builtin:cone-and-sphere"};
 
 inline constexpr std::array<Named<Rest>, 2> restNames{{
     {"none", Rest::None},

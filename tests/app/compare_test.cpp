@@ -66,3 +66,16 @@ TEST_CASE("compare refuses methods that are none and references that it does not
   checkRefused({"compare", "-o", "sheet.exr"}, ".png");
   checkRefused({"compare", "--order", "7"}, "the method shexp takes an order from 4 to 6, not 7");
 }
+
+TEST_CASE("compare leaves out transfer where there are solids, unless it is asked for") {
+  const TemporaryFolder folder;
+  writeFile(folder / "solids.json", R"({"objects": [{"solid": {"sphere": {}}}], "receiver": {},
+      "image": {"width": 16, "height": 9, "samplesPerPixel": 1},
+      "shading": {"engine": "reference"}})");
+  std::vector<std::string> methods;
+  for (const auto& picture : resultsOf({"compare", folder / "solids.json"}).at("picture"))
+    methods.push_back(picture.at("method"));
+  CHECK(methods == std::vector<std::string>{"pixel-mesh", "pixel", "haar", "shexp"});
+  checkRefused({"compare", folder / "solids.json", "--method", "sh"},
+               "object 'sphere' is a solid, and transfer is for the vertices of meshes");
+}

@@ -55,3 +55,21 @@ TEST_CASE("info leaves out the measures that a sphere set has none of") {
                            "silhouette_error"})
     CHECK_FALSE(info.contains(name));
 }
+
+TEST_CASE("info tells what solids and lights with hard shadows a scene has") {
+  const TemporaryFolder folder;
+  writeFile(folder / "solids.json", R"({
+    "objects": [{"solid": {"cone": {}}, "family": "hats"}, {"mesh": "builtin:sphere"}],
+    "pointLights": [{"position": [1, 2, 3], "intensity": [4, 5, 6]}],
+    "directionalLights": [{"towards": [0, 1, 0], "irradiance": [3, 2, 1]}]})");
+  const nlohmann::json info = resultsOf({"info", folder / "solids.json"});
+  CHECK(info.at("object") ==
+        nlohmann::json::parse(R"([{"name": "cone", "solid": "cone", "family": "hats"},
+                                  {"name": "sphere", "mesh": "builtin:sphere"}])"));
+  CHECK(info.at("point_light") ==
+        nlohmann::json::parse(R"([{"position": [1, 2, 3], "intensity": [4, 5, 6]}])"));
+  CHECK(info.at("directional_light") ==
+        nlohmann::json::parse(R"([{"towards": [0, 1, 0], "irradiance": [3, 2, 1]}])"));
+  const nlohmann::json plain = resultsOf({"info", "builtin:default"});
+  CHECK_FALSE(plain.contains("point_light"));
+}

@@ -263,6 +263,6 @@ TEST_CASE("files that cannot be scenes are refused") {
         "cannot read scene " + large.string() + ": it is larger than 4194304 bytes");
   CHECK(failure("builtin:bunny") ==
         "unknown scene 'builtin:bunny'; built in are builtin:default, builtin:smooth, "
-        "builtin:twist");
+        "builtin:twist, builtin:lamp-knot, builtin:cone-and-sphere");
   CHECK(failure("/dev/zero") == "cannot read scene /dev/zero: it is a device");
 }

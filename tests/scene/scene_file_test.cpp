@@ -220,7 +220,7 @@ TEST_CASE("whole numbers may be written with a fraction or an exponent") {
 
 TEST_CASE("the scenes in assets are the built-in ones") {
   const std::filesystem::path assets = std::filesystem::path(HAARLIGHT_SOURCE_FOLDER) / "assets";
-  for (const std::string name : {"default", "smooth", "twist"}) {
+  for (const std::string name : {"default", "smooth", "twist", "lamp-knot", "cone-and-sphere"}) {
     CHECK(readFile(assets / (name + ".json")) == builtinSceneText("builtin:" + name));
     CHECK(sceneToJson(readScene(assets / (name + ".json"))) ==
           sceneToJson(readScene("builtin:" + name)));

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "json_schema.h"
+#include "scene/names.h"
 #include "scene/scene_file.h"
 #include "test_support.h"
 
@@ -231,8 +232,8 @@ TEST_CASE("the schema in docs is the built-in one") {
 }
 
 TEST_CASE("the built-in scenes satisfy the schema") {
-  for (const char* name : {"builtin:default", "builtin:smooth", "builtin:twist"})
-    CHECK(schema().allows(Json::parse(builtinSceneText(name))));
+  for (const std::string_view name : builtinScenes)
+    CHECK(schema().allows(Json::parse(builtinSceneText(std::string(name)))));
 }
 
 TEST_CASE("schema and parser know the same fields, and each has a description") {
