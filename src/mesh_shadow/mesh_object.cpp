@@ -80,8 +80,9 @@ class MeshObject final : public ShadowObject {
     const std::size_t before = kept.size();
     const double margin = singlePrecisionMargin(united(bounds(), shaft.cell()));
     const AxisBox cell = grown(shaft.cell(), margin);
+    const ShaftView view(shaft, margin + shaft.margin());
     for (const std::uint32_t part : parts)
-      if (isEdge(part) ? silhouette_[part].mayReach(shaft, margin + shaft.margin())
+      if (isEdge(part) ? silhouette_[part].mayReach(view)
                        : triangles_[part - silhouette_.size()].meets(cell))
         kept.push_back(part);
     return kept.size() == before ? CellShadow::uniform : CellShadow::unknown;
@@ -94,8 +95,9 @@ class MeshObject final : public ShadowObject {
                          Parts& kept) const override {
     if (mesh_.holdsLight() || areHidden(surface)) return CellShadow::all;
     const std::size_t before = kept.size();
+    const ShaftView view(shaft, margin_ + shaft.margin());
     for (const std::uint32_t edge : parts)
-      if (silhouette_[edge].mayReach(shaft, margin_ + shaft.margin())) kept.push_back(edge);
+      if (silhouette_[edge].mayReach(view)) kept.push_back(edge);
     return kept.size() == before && areSheets(surface) ? CellShadow::uniform : CellShadow::unknown;
   }
 
