@@ -37,40 +37,54 @@ ShaftView::ShaftView(const Shaft& shaft, double edgeMargin)
   middle = shaft.center() - origin;
 }
 
-EdgeShadow::EdgeShadow(const glm::dvec3& a, const glm::dvec3& b, const ShadowLight& light)
-    : a_(a), b_(b), distance_(infinity) {
-  glm::dvec3 wayA, wayB;
-  if (const auto* point = std::get_if<PointLight>(&light)) {
-    wayA = a_ -= point->position, wayB = b_ -= point->position;
-    distance_ = distanceFromOrigin(a_, b_);
-  } else {
-    wayA = wayB = towards_ = std::get<DirectionalLight>(light).towards;
+/// An edge relative to the origin, for which planes are looked for.
+class EdgeShadow::Planes {
+ public:
+  Planes(const glm::dvec3& a, const glm::dvec3& b, const ShadowLight& light) : a_(a), b_(b) {
+    if (const auto* point = std::get_if<PointLight>(&light)) {
+      a_ -= point->position, b_ -= point->position;
+      isPoint_ = true;
+    } else {
+      towards_ = std::get<DirectionalLight>(light).towards;
+    }
   }
-  along_ = lightPlane(glm::cross(b_ - a_, wayA));
+
+  glm::dvec3 along() const { return b_ - a_; }
+  glm::dvec3 wayThroughA() const { return isPoint_ ? a_ : towards_; }
+  glm::dvec3 wayThroughB() const { return isPoint_ ? b_ : towards_; }
+  double lightDistance() const { return isPoint_ ? distanceFromOrigin(a_, b_) : infinity; }
+
+  LightPlane lightPlane(const glm::dvec3& normal) const {
+    const double atA = glm::dot(normal, a_), atB = glm::dot(normal, b_);
+    const auto [low, high] = std::minmax({atA, atB, isPoint_ ? 0 : atA});
+    return {normal, glm::length(normal), low, high};
+  }
+
+  EdgePlane edgePlane(const glm::dvec3& normal) const {
+    const double slope = isPoint_ ? -glm::dot(normal, a_ + b_) : glm::dot(normal, towards_);
+    const glm::dvec3 upwards = slope < 0 ? -normal : normal;
+    const double edge = std::max(glm::dot(upwards, a_), glm::dot(upwards, b_));
+    const double light = isPoint_ ? -edge : slope == 0 ? 0 : infinity;
+    return {upwards, glm::length(normal), edge, light};
+  }
+
+ private:
+  glm::dvec3 a_, b_, towards_{0};
+  bool isPoint_ = false;
+};
+
+EdgeShadow::EdgeShadow(const glm::dvec3& a, const glm::dvec3& b, const ShadowLight& light) {
+  const Planes planes(a, b, light);
+  distance_ = planes.lightDistance();
+  along_ = planes.lightPlane(glm::cross(planes.along(), planes.wayThroughA()));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    ends_[axis] = lightPlane(normalsAcross(wayA)[axis]);
-    ends_[axis + 3] = lightPlane(normalsAcross(wayB)[axis]);
+    ends_[axis] = planes.lightPlane(normalsAcross(planes.wayThroughA())[axis]);
+    ends_[axis + 3] = planes.lightPlane(normalsAcross(planes.wayThroughB())[axis]);
     glm::dvec3 unit(0);
     unit[axis] = 1;
-    beyond_[axis] = edgePlane(unit);
-    beyond_[axis + 3] = edgePlane(normalsAcross(b_ - a_)[axis]);
+    beyond_[axis] = planes.edgePlane(unit);
+    beyond_[axis + 3] = planes.edgePlane(normalsAcross(planes.along())[axis]);
   }
-}
-
-EdgeShadow::LightPlane EdgeShadow::lightPlane(const glm::dvec3& normal) const {
-  const double atA = glm::dot(normal, a_), atB = glm::dot(normal, b_);
-  const double light = distance_ < infinity ? 0 : atA;
-  const auto [low, high] = std::minmax({atA, atB, light});
-  return {normal, glm::length(normal), low, high};
-}
-
-EdgeShadow::EdgePlane EdgeShadow::edgePlane(const glm::dvec3& normal) const {
-  const bool isPoint = distance_ < infinity;
-  const double slope = isPoint ? -glm::dot(normal, a_ + b_) : glm::dot(normal, towards_);
-  const glm::dvec3 upwards = slope < 0 ? -normal : normal;
-  const double edge = std::max(glm::dot(upwards, a_), glm::dot(upwards, b_));
-  const double light = isPoint ? -edge : slope == 0 ? 0 : infinity;
-  return {upwards, glm::length(normal), edge, light};
 }
 
 /// A step from the edge, seen from a point light, is larger at the cell.

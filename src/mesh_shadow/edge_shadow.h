@@ -26,7 +26,7 @@ struct ShaftView {
 
 /// The shadow of an edge: all points that have one of its points on their way to the light. A piece
 /// of a plane through the light, which begins at the edge and has no end.
-class EdgeShadow {
+class alignas(64) EdgeShadow {
  public:
   EdgeShadow(const glm::dvec3& a, const glm::dvec3& b, const ShadowLight& light);
 
@@ -53,15 +53,12 @@ class EdgeShadow {
     bool keepsApart(const ShaftView& shaft) const;
   };
 
-  LightPlane lightPlane(const glm::dvec3& normal) const;
-  EdgePlane edgePlane(const glm::dvec3& normal) const;
+  class Planes;
 
-  glm::dvec3 a_, b_;       ///< from the origin
-  glm::dvec3 towards_{0};  ///< a directional light
-  double distance_ = 0;    ///< of a point light; else infinity
-  LightPlane along_;       ///< the plane in which the shadow lies
-  std::array<LightPlane, 6> ends_;
+  LightPlane along_;                 ///< the plane in which the shadow lies; tells most shafts
+  double distance_;                  ///< of a point light from the edge; else infinity
   std::array<EdgePlane, 6> beyond_;  ///< across the axes, and through the edge
+  std::array<LightPlane, 6> ends_;   ///< through the ends of the edge
 };
 
 }  // namespace haarlight

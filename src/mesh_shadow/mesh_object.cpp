@@ -46,7 +46,7 @@ class MeshObject final : public ShadowObject {
     const std::size_t before = kept.size();
     const AxisBox around = grown(cell, margin_);
     for (const std::uint32_t triangle : triangles)
-      if (triangles_[triangle].meets(around)) kept.push_back(triangle);
+      if (triangles_[triangle].mayMeet(around)) kept.push_back(triangle);
     return kept.size() > before;
   }
 
@@ -60,6 +60,10 @@ class MeshObject final : public ShadowObject {
 
   void addOwnStarts(const AxisBox& cell, PartView triangles,
                     std::vector<glm::dvec3>& starts) const override {
+    if (triangles.size() == 1) {
+      starts.push_back(ownStart(cell, triangles));
+      return;
+    }
     const std::size_t before = starts.size();
     std::vector<std::uint8_t> isFound(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -83,7 +87,7 @@ class MeshObject final : public ShadowObject {
     const ShaftView view(shaft, margin + shaft.margin());
     for (const std::uint32_t part : parts)
       if (isEdge(part) ? silhouette_[part].mayReach(view)
-                       : triangles_[part - silhouette_.size()].meets(cell))
+                       : triangles_[part - silhouette_.size()].mayMeet(cell))
         kept.push_back(part);
     return kept.size() == before ? CellShadow::uniform : CellShadow::unknown;
   }

@@ -148,12 +148,12 @@ void CellBatch::drawConclusions(OpenCell& cell, std::span<const std::uint8_t>& a
 /// Casts the rays, and makes leaves of what is decided.
 void CellBatch::finish(Stopwatch& watch) {
   counts_.rays += rays_.size();
-  std::vector<std::uint8_t> blocked(rays_.size());
+  blocked_.resize(rays_.size());
   counts_.proofSeconds += watch.lap();
-  if (!rays_.empty()) context_->scene.rays.answerHere(rays_, blocked);
+  if (!rays_.empty()) context_->scene.rays.answerHere(rays_, blocked_);
   counts_.raySeconds += watch.lap();
   const std::size_t before = leaves_.size();
-  std::span<const std::uint8_t> answers(blocked);
+  std::span<const std::uint8_t> answers(blocked_);
   for (OpenCell& cell : store_.cells) {
     if (!cell.inShadow) drawConclusions(cell, answers);
     if (isLeaf(cell)) makeLeaf(cell);

@@ -65,6 +65,7 @@ class CellBatch {
   CellStore store_, parents_;
   std::vector<ShadowLeaf> leaves_;
   std::vector<OcclusionRay> rays_;
+  std::vector<std::uint8_t> blocked_;  ///< their answers
   std::vector<glm::dvec3> starts_;
   OctreeCounts counts_;
 };
