@@ -1,6 +1,7 @@
 #include "hard_shadow/scene_octrees.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
@@ -84,18 +85,18 @@ std::vector<std::vector<std::uint32_t>> SceneOctrees::findCasters(
 void SceneOctrees::answer(std::span<const ReceiverPoint> points,
                           std::span<std::uint8_t> inShadow) const {
   parallelFor(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t object = ReceiverPoint::nothing;
+    const ShadowLeaf* leaf = nullptr;  // of the point before, which often lies in the same
     for (std::size_t i = begin; i < end; ++i) {
       const ReceiverPoint& point = points[i];
-      inShadow[i] = point.object != ReceiverPoint::nothing &&
-                    (!facesLight(point, *light_) || isInShadow(point));
+      inShadow[i] = 0;
+      if (point.object == ReceiverPoint::nothing) continue;
+      if (std::exchange(object, point.object) != point.object) leaf = nullptr;
+      const double reach = singlePrecisionMargin({point.position, point.position});
+      leaf = octrees_[object].leafNear(point.position, reach, leaf);
+      inShadow[i] = (leaf && leaf->inShadow) || !facesLight(point, *light_);
     }
   });
-}
-
-bool SceneOctrees::isInShadow(const ReceiverPoint& point) const {
-  const double reach = singlePrecisionMargin({point.position, point.position});
-  const auto leaf = octrees_[point.object].leafNear(point.position, reach);
-  return leaf && leaf->inShadow;
 }
 
 std::size_t SceneOctrees::memory() const {

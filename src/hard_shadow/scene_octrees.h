@@ -53,7 +53,6 @@ class SceneOctrees {
 
  private:
   void prepare(std::span<const ShadowParticipant> participants, const std::vector<bool>& moved);
-  bool isInShadow(const ReceiverPoint& point) const;
   std::vector<std::vector<std::uint32_t>> findCasters(
       std::span<const ShadowParticipant> participants);
 

@@ -36,6 +36,9 @@ struct CellCode {
   /// The number of deepest cells in it.
   std::uint32_t span() const { return std::uint32_t(1) << 3 * (deepestCell - depth); }
 
+  /// Whether the deepest cell with this number lies in it.
+  bool holds(std::uint32_t deepest) const { return deepest - first < span(); }
+
   /// Not for a deepest cell; number is 0 to 7, with bits for the upper half along x, y, z.
   CellCode child(std::uint32_t number) const {
     const auto below = std::uint8_t(depth + 1);

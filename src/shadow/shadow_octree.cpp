@@ -59,20 +59,21 @@ ShadowOctree::ShadowOctree(const OctreeCube& cube, std::vector<ShadowLeaf> leave
   if (!std::ranges::is_sorted(leaves_, areInOrder)) std::ranges::sort(leaves_, areInOrder);
 }
 
-std::optional<ShadowLeaf> ShadowOctree::leafAt(const glm::dvec3& point) const {
+const ShadowLeaf* ShadowOctree::leafAt(const glm::dvec3& point, const ShadowLeaf* guess) const {
   const std::uint32_t code = cube_.deepestCellAt(point).first;
+  if (guess && guess->cell.holds(code)) return guess;
   const auto after = std::upper_bound(leaves_.begin(), leaves_.end(), code, isBefore);
-  if (after == leaves_.begin()) return std::nullopt;
+  if (after == leaves_.begin()) return nullptr;
   const ShadowLeaf& leaf = *(after - 1);
-  if (code - leaf.cell.first >= leaf.cell.span()) return std::nullopt;
-  return leaf;
+  return leaf.cell.holds(code) ? &leaf : nullptr;
 }
 
-std::optional<ShadowLeaf> ShadowOctree::leafNear(const glm::dvec3& point, double reach) const {
-  if (const auto leaf = leafAt(point)) return leaf;
+const ShadowLeaf* ShadowOctree::leafNear(const glm::dvec3& point, double reach,
+                                         const ShadowLeaf* guess) const {
+  if (const auto leaf = leafAt(point, guess)) return leaf;
   for (const glm::dvec3& corner : cornersOf({point - reach, point + reach}))
     if (const auto leaf = leafAt(corner)) return leaf;
-  return std::nullopt;
+  return nullptr;
 }
 
 bool ShadowOctree::isInShadow(const glm::dvec3& point) const {

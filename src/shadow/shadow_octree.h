@@ -50,13 +50,14 @@ class ShadowOctree {
   const OctreeCube& cube() const { return cube_; }
   const std::vector<ShadowLeaf>& leaves() const { return leaves_; }
 
-  /// The leaf in which a point of the surface lies. Nothing for a point that no leaf holds: it lies
-  /// off the surface.
-  std::optional<ShadowLeaf> leafAt(const glm::dvec3& point) const;
+  /// The leaf in which a point of the surface lies, one of leaves(). Nothing for a point that no
+  /// leaf holds: it lies off the surface. `guess`, if any, is the leaf that is looked at first.
+  const ShadowLeaf* leafAt(const glm::dvec3& point, const ShadowLeaf* guess = nullptr) const;
 
   /// The same for a point that rounding has moved off the surface by up to `reach` along each axis:
   /// if no leaf holds it, one that the cube of that size around it meets.
-  std::optional<ShadowLeaf> leafNear(const glm::dvec3& point, double reach) const;
+  const ShadowLeaf* leafNear(const glm::dvec3& point, double reach,
+                             const ShadowLeaf* guess = nullptr) const;
 
   /// Whether a point of the surface lies in a leaf that is in shadow.
   bool isInShadow(const glm::dvec3& point) const;

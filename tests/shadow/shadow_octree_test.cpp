@@ -101,7 +101,7 @@ TEST_CASE("a point is found in the leaf whose box holds it, or in none") {
     const auto holds = [&](const ShadowLeaf& leaf) { return cube.box(leaf.cell).contains(point); };
     const auto expected = std::find_if(leaves.begin(), leaves.end(), holds);
     const auto leaf = octree.leafAt(point);
-    REQUIRE(leaf.has_value() == (expected != leaves.end()));
+    REQUIRE((leaf != nullptr) == (expected != leaves.end()));
     if (!leaf) continue;
     ++found;
     CHECK(leaf->cell == expected->cell);
