@@ -37,7 +37,7 @@ struct ShadowOptions {
   std::string sheet;
 };
 
-const std::vector<std::string> allMethods{"octree", "classic", "exact"};
+const std::vector<std::string> allMethods{"octree", "classic", "classic-triangles", "exact"};
 
 SceneDescription describe(const ShadowOptions& options) {
   SceneOptions content = options.scene;
@@ -92,6 +92,9 @@ void addRuns(const ShadowOptions& options, const std::vector<LevelOfDetail>& det
   for (const std::string& method : methodsOf(options)) {
     if (method == "classic")
       comparison.add(method, makeClassicShadows(scene.asPolygons(), lights));
+    else if (method == "classic-triangles")
+      comparison.add(method, makeClassicShadows(scene.asPolygons(), lights,
+                                                ClassicVolume::Sides::ofEachTriangle));
     else if (method == "exact")
       comparison.add(method, makeExactShadows(scene.participants(), lights));
     else
@@ -185,7 +188,8 @@ void addMethodOptions(CLI::App& command, ShadowOptions& options) {
       ->capture_default_str();
   command
       .add_option("--method", options.method,
-                  "octree, classic (shadow volumes of silhouettes) or exact (a ray per camera ray)")
+                  "octree, classic (shadow volumes of silhouettes), classic-triangles (of each "
+                  "triangle alone) or exact (a ray per camera ray)")
       ->group("Computation")
       ->check(CLI::IsMember(allMethods))
       ->capture_default_str();

@@ -6,14 +6,14 @@
 namespace haarlight {
 
 ClassicShadows::ClassicShadows(std::span<const ShadowParticipant> participants,
-                               const ShadowLight& light)
+                               const ShadowLight& light, ClassicVolume::Sides sides)
     : light_(light) {
   checkLight(light);
   for (const ShadowParticipant& participant : participants) {
     if (!participant.castsShadow) continue;
     const auto* mesh = std::get_if<const TriangleMesh*>(&participant.shape);
     if (!mesh) throw InputError("classic shadow volumes are for polygons");
-    casters_.push_back(std::make_unique<Caster>(**mesh, light));
+    casters_.push_back(std::make_unique<Caster>(**mesh, light, sides));
   }
 }
 

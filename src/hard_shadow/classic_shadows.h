@@ -14,7 +14,8 @@ class ClassicShadows {
  public:
   /// All casters must be meshes; polygons have to stand in for solids. Throws InputError as
   /// LitMesh does, and for solids.
-  ClassicShadows(std::span<const ShadowParticipant> participants, const ShadowLight& light);
+  ClassicShadows(std::span<const ShadowParticipant> participants, const ShadowLight& light,
+                 ClassicVolume::Sides sides = ClassicVolume::Sides::ofSilhouette);
 
   std::size_t faceCount() const;
   /// Bytes of all faces.
@@ -28,8 +29,8 @@ class ClassicShadows {
     LitMesh mesh;
     ClassicVolume volume;
 
-    Caster(const TriangleMesh& triangles, const ShadowLight& light)
-        : mesh(triangles, light), volume(mesh) {}
+    Caster(const TriangleMesh& triangles, const ShadowLight& light, ClassicVolume::Sides sides)
+        : mesh(triangles, light), volume(mesh, sides) {}
   };
 
   ShadowLight light_;

@@ -99,14 +99,17 @@ class OctreeMethod final : public MethodWithLights<SceneOctrees> {
 class ClassicMethod final : public MethodWithLights<ClassicShadows> {
  public:
   ClassicMethod(std::span<const ShadowParticipant> participants,
-                std::span<const ShadowLight> lights) {
+                std::span<const ShadowLight> lights, ClassicVolume::Sides sides)
+      : sides_(sides) {
     const Stopwatch watch;
     for (const ShadowLight& light : lights)
-      shadows_.push_back(std::make_unique<ClassicShadows>(participants, light));
+      shadows_.push_back(std::make_unique<ClassicShadows>(participants, light, sides));
     prepareSeconds_ = watch.total();
   }
 
-  std::string name() const override { return "classic"; }
+  std::string name() const override {
+    return sides_ == ClassicVolume::Sides::ofSilhouette ? "classic" : "classic-triangles";
+  }
 
   Json figures() const override {
     std::size_t faces = 0, memory = 0;
@@ -124,6 +127,8 @@ class ClassicMethod final : public MethodWithLights<ClassicShadows> {
                  std::span<std::uint8_t> inShadow) override {
     shadows_[light]->answer(view, inShadow);
   }
+
+  ClassicVolume::Sides sides_;
 };
 
 class ExactMethod final : public MethodWithLights<ExactShadows> {
@@ -164,8 +169,9 @@ std::unique_ptr<HardShadowMethod> makeOctreeShadows(std::span<const ShadowPartic
 }
 
 std::unique_ptr<HardShadowMethod> makeClassicShadows(
-    std::span<const ShadowParticipant> participants, std::span<const ShadowLight> lights) {
-  return std::make_unique<ClassicMethod>(participants, lights);
+    std::span<const ShadowParticipant> participants, std::span<const ShadowLight> lights,
+    ClassicVolume::Sides sides) {
+  return std::make_unique<ClassicMethod>(participants, lights, sides);
 }
 
 std::unique_ptr<HardShadowMethod> makeExactShadows(std::span<const ShadowParticipant> participants,

@@ -8,6 +8,7 @@
 
 #include "hard_shadow/scene_octrees.h"
 #include "hard_shadow/surface_view.h"
+#include "mesh_shadow/classic_volume.h"
 
 namespace haarlight {
 
@@ -16,7 +17,7 @@ class HardShadowMethod {
  public:
   virtual ~HardShadowMethod() = default;
 
-  /// "octree", "classic" or "exact".
+  /// "octree", "classic", "classic-triangles" or "exact".
   virtual std::string name() const = 0;
 
   /// Sets inShadow[i] to 1 where the light with this number does not reach the view's point i, and
@@ -38,7 +39,8 @@ std::unique_ptr<HardShadowMethod> makeOctreeShadows(std::span<const ShadowPartic
                                                     const LevelOfDetail& detail);
 
 std::unique_ptr<HardShadowMethod> makeClassicShadows(
-    std::span<const ShadowParticipant> participants, std::span<const ShadowLight> lights);
+    std::span<const ShadowParticipant> participants, std::span<const ShadowLight> lights,
+    ClassicVolume::Sides sides = ClassicVolume::Sides::ofSilhouette);
 
 std::unique_ptr<HardShadowMethod> makeExactShadows(std::span<const ShadowParticipant> participants,
                                                    std::span<const ShadowLight> lights);

@@ -60,10 +60,14 @@ class ClassicVolume::Raster {
     });
   }
 
-  /// The pixels of a row that it may cover, and perhaps one more on either side.
+  /// The pixels of a row that it may cover, and perhaps some more. Of edges that hardly cross the
+  /// row rounding would tell the place.
   std::pair<int, int> span(int y) const {
     double from = first.x, to = last.x;
     for (const glm::dvec3& edge : edges) {
+      constexpr double level = 1e-9;
+      if (std::abs(edge.x) * (last.x + 1) < level * (std::abs(edge.y * y) + std::abs(edge.z)))
+        continue;
       const double place = -(edge.y * y + edge.z) / edge.x;
       if (edge.x > 0) from = std::max(from, std::floor(place));
       if (edge.x < 0) to = std::min(to, std::ceil(place));
@@ -102,9 +106,12 @@ class ClassicVolume::Raster {
   int weight = 0;
 };
 
-ClassicVolume::ClassicVolume(const LitMesh& mesh) : mesh_(mesh) {
+ClassicVolume::ClassicVolume(const LitMesh& mesh, Sides sides) : mesh_(mesh) {
   addCaps();
-  addSides();
+  if (sides == Sides::ofSilhouette)
+    addSilhouetteSides();
+  else
+    addTriangleSides();
 }
 
 void ClassicVolume::addCaps() {
@@ -120,19 +127,32 @@ ClassicVolume::Corner ClassicVolume::beyond(std::uint32_t vertex) const {
   return {-mesh_.towardsLight(mesh_.positions()[vertex]), 0};
 }
 
-void ClassicVolume::addSides() {
+/// The plane through an edge and the light, for as many triangles as the weight says that have the
+/// edge from low to high and face the light, less those that have it the other way round.
+void ClassicVolume::addSide(std::uint32_t low, std::uint32_t high, int weight) {
+  const Corner lowCorner{mesh_.positions()[low], 1}, highCorner{mesh_.positions()[high], 1};
+  const Corner beyondLow = beyond(low), beyondHigh = beyond(high);
+  faces_.push_back({{highCorner, lowCorner, beyondLow}, weight});
+  if (beyondLow.place != beyondHigh.place)
+    faces_.push_back({{highCorner, beyondLow, beyondHigh}, weight});
+}
+
+void ClassicVolume::addSilhouetteSides() {
   const std::vector<EdgeUse> uses = sortedEdgeUses(mesh_.triangles());
   forEachEdge(uses, [&](std::span<const EdgeUse> edge) {
     int weight = 0;
     for (const EdgeUse& use : edge)
       weight += (runsUpward(mesh_.triangles(), use) ? 1 : -1) * mesh_.facing(use.triangle());
-    if (weight == 0) return;
-    const Corner low{mesh_.positions()[edge[0].low], 1}, high{mesh_.positions()[edge[0].high], 1};
-    const Corner beyondLow = beyond(edge[0].low), beyondHigh = beyond(edge[0].high);
-    faces_.push_back({{high, low, beyondLow}, weight});
-    if (beyondLow.place != beyondHigh.place)
-      faces_.push_back({{high, beyondLow, beyondHigh}, weight});
+    if (weight != 0) addSide(edge[0].low, edge[0].high, weight);
   });
+}
+
+void ClassicVolume::addTriangleSides() {
+  for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
+    if (mesh_.facing(t) == 0) continue;
+    const VertexTriple& corners = mesh_.triangles()[t];
+    for (int i = 0; i < 3; ++i) addSide(corners[i], corners[(i + 1) % 3], mesh_.facing(t));
+  }
 }
 
 namespace {

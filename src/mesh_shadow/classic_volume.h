@@ -25,7 +25,11 @@ struct PixelView {
 /// the number of triangles between the point and the light.
 class ClassicVolume {
  public:
-  explicit ClassicVolume(const LitMesh& mesh);
+  /// Which side planes there are: those that do not cancel, or all of every triangle, as if it were
+  /// alone. The counts are the same.
+  enum class Sides { ofSilhouette, ofEachTriangle };
+
+  explicit ClassicVolume(const LitMesh& mesh, Sides sides = Sides::ofSilhouette);
 
   /// Faces: triangles, and one or two triangles with corners at infinity for each side plane.
   std::size_t faceCount() const { return faces_.size(); }
@@ -52,7 +56,9 @@ class ClassicVolume {
   class Raster;
 
   void addCaps();
-  void addSides();
+  void addSilhouetteSides();
+  void addTriangleSides();
+  void addSide(std::uint32_t low, std::uint32_t high, int weight);
   Corner beyond(std::uint32_t vertex) const;
   int countAtEye(const glm::dvec3& eye) const;
 

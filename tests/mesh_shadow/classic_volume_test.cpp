@@ -54,6 +54,11 @@ TEST_CASE(
     std::vector<std::int32_t> counts(depths.size());
     const LitMesh lit(mesh, light);
     ClassicVolume(lit).addCounts(view, depths, counts, 0);
+    std::vector<std::int32_t> ofEachTriangle(depths.size());
+    const ClassicVolume all(lit, ClassicVolume::Sides::ofEachTriangle);
+    all.addCounts(view, depths, ofEachTriangle, 0);
+    CHECK(ofEachTriangle == counts);
+    CHECK(all.faceCount() >= ClassicVolume(lit).faceCount());
     CAPTURE(i);
     int shadowed = 0;
     for (int y = 0; y < 24; ++y)
