@@ -99,6 +99,19 @@ std::optional<int> windingOutside(const LitMesh& mesh, const Sheet& sheet) {
   return std::nullopt;
 }
 
+/// Whether a triangle with a certain edge lies between the light and another one with the edge.
+bool isInFront(const LitMesh& mesh, std::uint32_t triangle, std::uint32_t other) {
+  const TriangleCorners t = mesh.corners(triangle);
+  const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  double furthest = 0, least = 0;
+  for (const glm::dvec3& corner : mesh.corners(other)) {
+    const glm::dvec3 way = corner - t[0];
+    furthest = std::min(furthest, mesh.facing(triangle) * glm::dot(normal, way));
+    least = std::max(least, 1e-12 * glm::length(normal) * glm::length(way));
+  }
+  return furthest < -least;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> findHiddenTriangles(const LitMesh& mesh,
@@ -118,6 +131,16 @@ std::vector<std::uint8_t> findHiddenTriangles(const LitMesh& mesh,
     }
   }
   return hidden;
+}
+
+bool isHiddenFold(const LitMesh& mesh, std::size_t edge, std::span<const std::uint8_t> plain,
+                  std::span<const std::uint8_t> hidden) {
+  const std::uint32_t corner = mesh.silhouetteCorners()[edge], one = corner / 3;
+  const std::uint32_t other = mesh.neighbor(one, int(corner % 3));
+  if (!mesh.isTriangle(other) || !plain[one] || !plain[other]) return false;
+  if (mesh.facing(one) == 0 || mesh.facing(other) == 0) return false;
+  return (hidden[one] && isInFront(mesh, one, other)) ||
+         (hidden[other] && isInFront(mesh, other, one));
 }
 
 }  // namespace haarlight

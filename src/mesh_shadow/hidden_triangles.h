@@ -20,4 +20,10 @@ namespace haarlight {
 std::vector<std::uint8_t> findHiddenTriangles(const LitMesh& mesh,
                                               std::span<const std::uint8_t> crossed);
 
+/// Whether an edge of the silhouette, given by its number, lies in the shadow of other triangles
+/// all along: it is a fold, seen from within, of two triangles of a surface (`plain`,
+/// findPlainTriangles), and the one next to the light is hidden.
+bool isHiddenFold(const LitMesh& mesh, std::size_t edge, std::span<const std::uint8_t> plain,
+                  std::span<const std::uint8_t> hidden);
+
 }  // namespace haarlight

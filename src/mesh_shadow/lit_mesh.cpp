@@ -75,7 +75,10 @@ void LitMesh::lookAtEdges() {
   neighbors_.assign(triangles_.size(), {border, border, border});
   const std::vector<EdgeUse> uses = sortedEdgeUses(triangles_);
   forEachEdge(uses, [&](std::span<const EdgeUse> edge) {
-    if (isOfSilhouette(edge)) silhouette_.push_back({edge[0].low, edge[0].high});
+    if (isOfSilhouette(edge)) {
+      silhouette_.push_back({edge[0].low, edge[0].high});
+      silhouetteCorners_.push_back(edge[0].corner);
+    }
     for (std::size_t i = 0; i < edge.size() && edge.size() > 1; ++i)
       neighbors_[edge[i].triangle()][edge[i].corner % 3] =
           edge.size() == 2 ? edge[1 - i].triangle() : branch;

@@ -39,6 +39,8 @@ class LitMesh {
   /// The edges at which the mesh may end, as seen from the light: all but those that have triangles
   /// on both sides.
   const std::vector<Edge>& silhouette() const { return silhouette_; }
+  /// For each of these, one of its uses: 3 · triangle + the corner that it starts from.
+  const std::vector<std::uint32_t>& silhouetteCorners() const { return silhouetteCorners_; }
 
   /// The triangle at the other side of the edge from a corner to the next; `border` if there is
   /// none, `branch` if there are several.
@@ -74,6 +76,7 @@ class LitMesh {
   std::vector<VertexTriple> triangles_;
   std::vector<std::int8_t> facing_;
   std::vector<Edge> silhouette_;
+  std::vector<std::uint32_t> silhouetteCorners_;
   std::vector<VertexTriple> neighbors_;
   AxisBox bounds_;
   bool holdsLight_ = false, isClosed_ = true;

@@ -26,14 +26,17 @@ class MeshObject final : public ShadowObject {
  public:
   MeshObject(const TriangleMesh& mesh, const ShadowLight& light)
       : mesh_(mesh, light), margin_(singlePrecisionMargin(mesh_.bounds())) {
-    for (const auto& [a, b] : mesh_.silhouette())
-      silhouette_.emplace_back(mesh_.positions()[a], mesh_.positions()[b], light);
     triangles_.reserve(mesh_.triangleCount());
     for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t)
       triangles_.emplace_back(mesh_.corners(t));
     const auto crossed = findCrossedTriangles(triangles_, mesh_.triangles());
     isPlain_ = findPlainTriangles(mesh_, crossed);
     isHidden_ = findHiddenTriangles(mesh_, crossed);
+    for (std::size_t edge = 0; edge < mesh_.silhouette().size(); ++edge) {
+      if (isHiddenFold(mesh_, edge, isPlain_, isHidden_)) continue;
+      const auto [a, b] = mesh_.silhouette()[edge];
+      silhouette_.emplace_back(mesh_.positions()[a], mesh_.positions()[b], light);
+    }
   }
 
   AxisBox bounds() const override { return mesh_.bounds(); }
@@ -179,7 +182,7 @@ class MeshObject final : public ShadowObject {
 
   LitMesh mesh_;
   double margin_;
-  std::vector<EdgeShadow> silhouette_;
+  std::vector<EdgeShadow> silhouette_;  ///< but for hidden folds
   std::vector<BoxedTriangle> triangles_;
   std::vector<std::uint8_t> isPlain_, isHidden_;  ///< of triangles
 };

@@ -15,8 +15,9 @@ namespace haarlight {
 ///
 /// A point of the mesh lies in the mesh's own shadow where another triangle than its own stands
 /// between it and the light, further off than single precision's rounding, from whichever side that
-/// sees it. So the parts of a closed mesh that
-/// face away are in shadow, and both sides of a sheet are in light.
+/// sees it. So the parts of a closed mesh that face away are in shadow, which a mesh that does not
+/// cross itself proves of all of them at once (hidden_triangles.h), and both sides of a sheet are
+/// in light.
 std::unique_ptr<ShadowObject> makeShadowObject(const TriangleMesh& mesh, const ShadowLight& light);
 
 }  // namespace haarlight

@@ -9,25 +9,19 @@ namespace haarlight {
 
 namespace {
 
-/// A triangle of a pair, from a corner of the first; the one that they share, if they do.
+/// A triangle of a pair, from a place next to both.
 struct Side {
   std::array<glm::dvec3, 3> corners;
   std::array<bool, 3> isShared;
 
-  Side(const NumberedTriangle& own, const NumberedTriangle& other) {
-    const VertexTriple& n = other.numbers;
+  Side(const NumberedTriangle& own, const NumberedTriangle& other, const glm::dvec3& origin) {
     for (int i = 0; i < 3; ++i) {
-      const std::uint32_t number = own.numbers[i];
-      isShared[i] = bool(int(number == n[0]) | int(number == n[1]) | int(number == n[2]));
+      corners[i] = own.corners[i] - origin;
+      isShared[i] = std::ranges::find(other.numbers, own.numbers[i]) != other.numbers.end();
     }
   }
 
-  void putAt(const TriangleCorners& places, const glm::dvec3& origin) {
-    for (int i = 0; i < 3; ++i) corners[i] = places[i] - origin;
-  }
-
   int sharedCount() const { return isShared[0] + isShared[1] + isShared[2]; }
-  int oneShared() const { return isShared[1] ? 1 : isShared[2] ? 2 : 0; }
   glm::dvec3 edge(int i) const { return corners[(i + 1) % 3] - corners[i]; }
   glm::dvec3 normal() const { return glm::cross(edge(0), edge(1)); }
 
@@ -39,21 +33,12 @@ struct Side {
   }
 };
 
-/// What rounding may do to a product of some differences of coordinates.
+/// What rounding may do to a product of three or four differences of coordinates.
 struct Rounding {
-  double ofTwo, ofThree, ofFour;
+  double ofThree, ofFour;
 
-  explicit Rounding(double size)
-      : ofTwo(1e-14 * size * size), ofThree(ofTwo * size), ofFour(ofThree * size) {}
+  explicit Rounding(double size) : ofThree(1e-14 * size * size * size), ofFour(ofThree * size) {}
 };
-
-/// By a plane through the only corner that they share, the origin, on whose sides their other
-/// corners lie: one across the way from the middle of these of the one to that of the other.
-bool isSeparatedAtCorner(const Side& one, const Side& other, const Rounding& rounding) {
-  glm::dvec3 across(0);
-  for (int i = 0; i < 3; ++i) across += one.corners[i] - other.corners[i];
-  return one.isBeyond(across, rounding.ofTwo) && other.isBeyond(-across, rounding.ofTwo);
-}
 
 /// By the plane of the one, which has no more of the other than what they share.
 bool isSeparatedByPlane(const Side& one, const Side& other, const Rounding& rounding) {
@@ -108,23 +93,48 @@ bool isSeparatedByEdges(const Side& one, const Side& other, const Rounding& roun
   return false;
 }
 
+/// Which corners two triangles share: how many, and the last of them in each.
+struct SharedCorners {
+  int count = 0, inA = 0, inB = 0;
+
+  SharedCorners(const VertexTriple& a, const VertexTriple& b) {
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        if (a[i] == b[k]) ++count, inA = i, inB = k;
+  }
+};
+
+/// By a plane through the only corner that they share, on whose sides their other corners lie: one
+/// across the way from the middle of these of the one to that of the other. Most triangles around
+/// a corner are told by this.
+bool areSeparatedAtCorner(const TriangleCorners& a, const TriangleCorners& b,
+                          const SharedCorners& shared) {
+  const glm::dvec3 corner = a[shared.inA];
+  const glm::dvec3 a1 = a[(shared.inA + 1) % 3] - corner, a2 = a[(shared.inA + 2) % 3] - corner;
+  const glm::dvec3 b1 = b[(shared.inB + 1) % 3] - corner, b2 = b[(shared.inB + 2) % 3] - corner;
+  const glm::dvec3 across = a1 + a2 - b1 - b2;
+  const double squares = glm::dot(a1, a1) + glm::dot(a2, a2) + glm::dot(b1, b1) + glm::dot(b2, b2);
+  const double least = 1e-14 * squares;
+  return std::min(glm::dot(across, a1), glm::dot(across, a2)) > least &&
+         std::max(glm::dot(across, b1), glm::dot(across, b2)) < -least;
+}
+
 }  // namespace
 
 bool mayTouchElsewhere(const NumberedTriangle& a, const NumberedTriangle& b) {
-  Side one(a, b), other(b, a);
-  const int shared = one.sharedCount();
-  if (shared == 3) return true;
-  const glm::dvec3 origin = a.corners[one.oneShared()];
-  one.putAt(a.corners, origin), other.putAt(b.corners, origin);
+  const SharedCorners shared(a.numbers, b.numbers);
+  if (shared.count == 3) return true;
+  if (shared.count == 1 && areSeparatedAtCorner(a.corners, b.corners, shared)) return false;
+  const glm::dvec3 origin = a.corners[shared.inA];
+  const Side one(a, b, origin), other(b, a, origin);
   double squared = 0;
   for (const Side* side : {&one, &other})
     for (const glm::dvec3& corner : side->corners)
       squared = std::max(squared, glm::dot(corner, corner));
   const Rounding rounding(2 * std::sqrt(squared));  // differences are at most twice as large
-  if (shared == 1 && isSeparatedAtCorner(one, other, rounding)) return false;
   return !isSeparatedByPlane(one, other, rounding) && !isSeparatedByPlane(other, one, rounding) &&
          !isSeparatedAtEdge(one, other, rounding) && !isSeparatedAtEdge(other, one, rounding) &&
-         (shared == 2 || !isSeparatedByEdges(one, other, rounding));
+         (shared.count == 2 || !isSeparatedByEdges(one, other, rounding));
 }
 
 }  // namespace haarlight

@@ -8,47 +8,30 @@
 #include "mesh/builtin_meshes.h"
 #include "mesh_shadow/crossed_triangles.h"
 #include "mesh_shadow/mesh_scenes.h"
+#include "mesh_shadow/plain_triangles.h"
 
 using namespace haarlight;
 using namespace haarlight::test;
 
 namespace {
 
-std::vector<std::uint8_t> hiddenIn(const LitMesh& mesh) {
+std::vector<std::uint8_t> crossedIn(const LitMesh& mesh) {
   std::vector<BoxedTriangle> triangles;
   for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) triangles.emplace_back(mesh.corners(t));
-  return findHiddenTriangles(mesh, findCrossedTriangles(triangles, mesh.triangles()));
+  return findCrossedTriangles(triangles, mesh.triangles());
 }
 
-void add(TriangleMesh& mesh, TriangleMesh other, float scale, const glm::vec3& place, bool turned) {
-  const auto offset = std::uint32_t(mesh.positions.size());
-  for (const glm::vec3& p : other.positions) mesh.positions.push_back(scale * p + place);
-  for (glm::uvec3 t : other.triangles) {
-    if (turned) std::swap(t.x, t.y);
-    mesh.triangles.push_back(t + offset);
-  }
+std::vector<std::uint8_t> hiddenIn(const LitMesh& mesh) {
+  return findHiddenTriangles(mesh, crossedIn(mesh));
 }
 
-/// Closed meshes: balls, knots, some within or across others, some turned inside out, and balls
-/// whose corners are moved at random, so that they cross themselves.
-TriangleMesh closedMesh(RandomNumbers& random) {
-  TriangleMesh mesh;
-  const int count = 1 + int(random() % 3);
-  for (int i = 0; i < count; ++i) {
-    TriangleMesh part = random() % 3 ? icosphere(2) : torusKnot({2, 3, 48, 8, 0.5});
-    if (random() % 3 == 0)
-      for (glm::vec3& p : part.positions) p += glm::vec3(randomPoint(random, 0.3));
-    const auto scale = float(uniform(random, 0.2, 1));
-    add(mesh, part, scale, glm::vec3(randomPoint(random, 0.8)), random() % 3 == 0);
-  }
-  return mesh;
-}
-
-bool isHidden(const LitMesh& mesh, std::uint32_t triangle, const glm::dvec3& point) {
+/// Whether a point lies in the shadow of triangles other than its own two.
+bool isHidden(const LitMesh& mesh, std::uint32_t triangle, std::uint32_t other,
+              const glm::dvec3& point) {
   const glm::dvec3 way = mesh.towardsLight(point);
   const bool isPoint = std::holds_alternative<PointLight>(mesh.light());
   for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    if (t == triangle) continue;
+    if (t == triangle || t == other) continue;
     TriangleMesh one;
     for (const glm::dvec3& corner : mesh.corners(t)) one.positions.emplace_back(corner);
     one.triangles.emplace_back(0, 1, 2);
@@ -71,13 +54,14 @@ TEST_CASE("triangles that are said to be hidden are, wherever they are") {
   for (int i = 0; i < 60; ++i) {
     ShadowLight light = DirectionalLight{randomDirection(random)};
     if (i % 2) light = PointLight{randomPoint(random, i % 4 == 1 ? 0.5 : 4)};
-    const LitMesh mesh(closedMesh(random), light);
+    const LitMesh mesh(randomClosedMesh(random), light);
     REQUIRE(mesh.isClosed());
     const auto said = hiddenIn(mesh);
     CAPTURE(i);
     for (int k = 0; k < 200; ++k) {
       const auto triangle = std::uint32_t(random() % mesh.triangleCount());
-      const bool is = isHidden(mesh, triangle, pointWithin(mesh.corners(triangle), random));
+      const bool is =
+          isHidden(mesh, triangle, triangle, pointWithin(mesh.corners(triangle), random));
       if (said[triangle]) REQUIRE(is);
       hidden += said[triangle], dark += is;
     }
@@ -85,6 +69,37 @@ TEST_CASE("triangles that are said to be hidden are, wherever they are") {
   MESSAGE(hidden << " of " << dark << " points found");
   CHECK(hidden > 2000);
   CHECK(hidden > dark / 4);
+}
+
+TEST_CASE("folds that are said to be hidden are, all along") {
+  RandomNumbers random(2);
+  int found = 0, silhouette = 0;
+  for (int i = 0; i < 40; ++i) {
+    ShadowLight light = DirectionalLight{randomDirection(random)};
+    if (i % 2) light = PointLight{randomPoint(random, 4)};
+    const LitMesh mesh(i % 4 ? torusKnot({2, 3, 48, 8, 0.5}) : randomClosedMesh(random), light);
+    const auto crossed = crossedIn(mesh);
+    const auto plain = findPlainTriangles(mesh, crossed);
+    const auto hidden = findHiddenTriangles(mesh, crossed);
+    CAPTURE(i);
+    for (std::size_t edge = 0; edge < mesh.silhouette().size(); ++edge) {
+      ++silhouette;
+      if (!isHiddenFold(mesh, edge, plain, hidden)) continue;
+      ++found;
+      const auto [a, b] = mesh.silhouette()[edge];
+      const std::uint32_t corner = mesh.silhouetteCorners()[edge];
+      const std::uint32_t other = mesh.neighbor(corner / 3, int(corner % 3));
+      for (const double t : {0.01, 0.3, 0.5, 0.8, 0.99})
+        REQUIRE(isHidden(mesh, corner / 3, other,
+                         (1 - t) * mesh.positions()[a] + t * mesh.positions()[b]));
+    }
+  }
+  MESSAGE(found << " of " << silhouette << " edges are hidden folds");
+  CHECK(found > 200);
+  const LitMesh ball(icosphere(3), PointLight{{2.5, 5, 2}});
+  const std::vector<std::uint8_t> all(ball.triangleCount(), 1), hidden = hiddenIn(ball);
+  for (std::size_t edge = 0; edge < ball.silhouette().size(); ++edge)
+    CHECK_FALSE(isHiddenFold(ball, edge, all, hidden));
 }
 
 TEST_CASE("of a solid, what faces away from the light is hidden, and no more") {

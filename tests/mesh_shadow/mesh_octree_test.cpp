@@ -108,3 +108,28 @@ TEST_CASE("meshes: wrong answers lie within one smallest cell of right ones, few
   }
   CHECK(last < 0.005);
 }
+
+TEST_CASE("closed meshes that cross themselves: what is proved of their own shadow holds") {
+  RandomNumbers random(3);
+  int proved = 0, byRay = 0, shadowed = 0;
+  for (int i = 0; i < 24; ++i) {
+    ShadowLight light = DirectionalLight{randomDirection(random)};
+    if (i % 2) light = PointLight{randomPoint(random, i % 4 == 1 ? 0.5 : 4)};
+    const std::vector<SceneObject> objects{randomClosedMesh(random)};
+    const SceneShadows shadows(objects, light, {3 + i % 5, 0});
+    CAPTURE(i);
+    for (int k = 0; k < 200; ++k) {
+      const ObjectSample sample = randomSample(objects[0], random);
+      const auto leaf = shadows.octrees[0].leafAt(sample.position);
+      REQUIRE(leaf);
+      ++(leaf->byRay ? byRay : proved);
+      if (leaf->byRay) continue;
+      shadowed += leaf->inShadow;
+      REQUIRE(leaf->inShadow == isInShadow(objects, 0, sample, light));
+    }
+  }
+  MESSAGE(proved << " points in proved leaves, " << shadowed << " in shadow; " << byRay
+                 << " in others");
+  CHECK(shadowed > 500);
+  CHECK(proved - shadowed > 300);
+}

@@ -98,6 +98,29 @@ TriangleMesh randomMesh(int kind, double reach, RandomNumbers& random) {
   return mesh;
 }
 
+void add(TriangleMesh& mesh, const TriangleMesh& other, float scale, const glm::vec3& place,
+         bool turned) {
+  const auto offset = std::uint32_t(mesh.positions.size());
+  for (const glm::vec3& p : other.positions) mesh.positions.push_back(scale * p + place);
+  for (glm::uvec3 t : other.triangles) {
+    if (turned) std::swap(t.x, t.y);
+    mesh.triangles.push_back(t + offset);
+  }
+}
+
+TriangleMesh randomClosedMesh(RandomNumbers& random) {
+  TriangleMesh mesh;
+  const int count = 1 + int(random() % 3);
+  for (int i = 0; i < count; ++i) {
+    TriangleMesh part = random() % 3 ? icosphere(2) : torusKnot({2, 3, 48, 8, 0.5});
+    if (random() % 3 == 0)
+      for (glm::vec3& p : part.positions) p += glm::vec3(randomPoint(random, 0.3));
+    const auto scale = float(uniform(random, 0.2, 1));
+    add(mesh, part, scale, glm::vec3(randomPoint(random, 0.8)), random() % 3 == 0);
+  }
+  return mesh;
+}
+
 ObjectSample randomSample(const SceneObject& object, RandomNumbers& random) {
   if (const auto* mesh = std::get_if<TriangleMesh>(&object)) return sampleOf(*mesh, random);
   const SurfaceSample sample = randomSurfaceSample(std::get<Solid>(object), random);

@@ -20,6 +20,14 @@ using SceneObject = std::variant<Solid, TriangleMesh>;
 TriangleMesh randomMesh(int kind, double reach, RandomNumbers& random);
 inline constexpr int meshKinds = 5;
 
+/// Adds a mesh's triangles to another's, scaled and moved, and turned inside out if wanted.
+void add(TriangleMesh& mesh, const TriangleMesh& other, float scale, const glm::vec3& place,
+         bool turned);
+
+/// Balls and knots, some within or across others, some turned inside out, and some whose corners
+/// are moved at random, so that they cross themselves. Closed.
+TriangleMesh randomClosedMesh(RandomNumbers& random);
+
 struct ObjectSample {
   glm::dvec3 position;
   glm::dvec3 normal;
