@@ -39,7 +39,7 @@ AxisBox OctreeCube::box(const CellCode& cell) const {
 
 CellCode OctreeCube::deepestCellAt(const glm::dvec3& point) const {
   if (edge == 0) return haarlight::deepestCellAt({0, 0, 0});
-  const glm::dvec3 place = (point - lower) / edgeAt(deepestCell);
+  const glm::dvec3 place = deepestPerEdge / edge * (point - lower);
   return haarlight::deepestCellAt(
       glm::uvec3(glm::clamp(place, glm::dvec3(0), glm::dvec3(deepestPerEdge - 1))));
 }
