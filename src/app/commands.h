@@ -13,6 +13,7 @@ void addFitCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addPrtCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
+void addShadowCommand(CLI::App& app);
 void addSkiesCommand(CLI::App& app);
 void addTrackCommand(CLI::App& app);
 void addVerifyCommand(CLI::App& app);

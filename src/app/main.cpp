@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
   app.footer("`haarlight COMMAND --help` explains a command. Try: haarlight render -o picture.png");
   haarlight::addRenderCommand(app);
   haarlight::addCompareCommand(app);
+  haarlight::addShadowCommand(app);
   haarlight::addBakeCommand(app);
   haarlight::addFitCommand(app);
   haarlight::addPrtCommand(app);

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <chrono>
 
+#include "app/shadow_options.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "light/sky_model.h"
@@ -89,6 +90,7 @@ void applyShading(const SceneOptions& options, ShadingDescription& shading) {
   if (options.levels) shading.levels = *options.levels;
   if (options.order) shading.order = *options.order;
   if (!options.per.empty()) shading.per = choiceOf(shadedPerNames, options.per);
+  if (!options.shadowDetail.empty()) setShadowDetail(parseDetail(options.shadowDetail), shading);
 }
 
 /// Why `auto` came down to the slowest engine.
@@ -190,6 +192,10 @@ void addShadingOptions(CLI::App& command, SceneOptions& options) {
        "Of spheres, for haar and pixel: exact, or the paper's table (faster) [exact]",
        "Computation")
       ->check(CLI::IsMember(namesOf(visibilityKindNames)));
+  text("--detail", options.shadowDetail,
+       "Of hard shadows: the largest edge of the smallest cells in world units, or depth=N "
+       "[depth=9]",
+       "Computation");
   text("--engine", options.engine, "auto, reference, opencl, cuda or cuda-host [auto]",
        "Computation")
       ->check(CLI::IsMember(namesOf(engineChoiceNames)));

@@ -44,6 +44,7 @@ struct SceneOptions {
   std::string per;
   std::vector<std::string> transfer;
   std::string visibility;
+  std::string shadowDetail;
   std::string engine;
   std::string device;
 };

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "app/shadow_options.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "render/punctual_method.h"
 #include "scene/names.h"
 
 namespace haarlight {
@@ -65,6 +67,14 @@ std::shared_ptr<const SceneTransfer> ShadingSetup::transfer() {
 std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
                                                      std::span<const SurfaceSample> typicalSamples,
                                                      bool anyNormal) {
+  auto method = environmentMethod(which, typicalSamples, anyNormal);
+  if (which == ShadingMethod::PixelMesh)  // the reference
+    return withExactPunctualLights(std::move(method), scene());
+  return withPunctualLights(std::move(method), scene(), detailOf(description_.shading));
+}
+
+std::unique_ptr<RadianceMethod> ShadingSetup::environmentMethod(
+    ShadingMethod which, std::span<const SurfaceSample> typicalSamples, bool anyNormal) {
   if (which == ShadingMethod::PixelMesh) return makePixelMeshMethod(scene());
   if (!table_) table_ = openSphereTable(description_, console_);
   if (which == ShadingMethod::Pixel) return makePixelMethod(scene(), table_);
@@ -112,6 +122,12 @@ nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const
   }
   if (usesVisibilityKind(method))
     summary["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
+  if (!scene().punctualLights.empty()) {
+    summary["punctual_lights"] = scene().punctualLights.size();
+    if (method.name() != "pixel-mesh")
+      summary["shadow_detail"] = textOf(detailOf(description_.shading));
+    summary["punctual_seconds"] = method.punctualSeconds();
+  }
   summary["spheres"] = sphereCount(scene());
   summary["light"] = description_.light.source;
   summary["light_power_kept"] = scene().light.projection.powerRatio;

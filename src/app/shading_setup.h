@@ -47,6 +47,10 @@ class ShadingSetup {
   ImageAttributes attributes(const RadianceMethod& method) const;
 
  private:
+  /// Without punctual lights.
+  std::unique_ptr<RadianceMethod> environmentMethod(ShadingMethod which,
+                                                    std::span<const SurfaceSample> typicalSamples,
+                                                    bool anyNormal);
   std::shared_ptr<const SceneTransfer> transfer();
 
   const SceneOptions& options_;

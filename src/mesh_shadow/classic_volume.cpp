@@ -122,6 +122,20 @@ void ClassicVolume::addSides() {
   });
 }
 
+namespace {
+
+/// On which side of the plane through the origin, a and b a direction points: 1 or −1, and one of
+/// them also within the plane, as if the direction were (x + ε, y + ε², z + ε³). So of the
+/// triangles at an edge, or at a corner, exactly one on each side of the mesh is passed.
+int sideOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& direction) {
+  const glm::dvec3 normal = glm::cross(a, b);
+  for (const double value : {glm::dot(normal, direction), normal.x, normal.y, normal.z})
+    if (value != 0) return value < 0 ? -1 : 1;
+  return 0;
+}
+
+}  // namespace
+
 /// The number of triangles between the eye and the light.
 int ClassicVolume::countAtEye(const glm::dvec3& eye) const {
   int count = 0;
@@ -129,12 +143,10 @@ int ClassicVolume::countAtEye(const glm::dvec3& eye) const {
   for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
     const TriangleCorners corners = mesh_.corners(t);
     const glm::dvec3 a = corners[0] - eye, b = corners[1] - eye, c = corners[2] - eye;
-    const double volume = glm::dot(glm::cross(b - a, c - a), ray.direction);
-    const double sign = volume < 0 ? -1 : 1;
-    const bool passes = sign * glm::dot(glm::cross(a, b), ray.direction) >= 0 &&
-                        sign * glm::dot(glm::cross(b, c), ray.direction) > 0 &&
-                        sign * glm::dot(glm::cross(c, a), ray.direction) > 0;
-    const double at = glm::dot(glm::cross(b - a, c - a), a) / volume;
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const int side = sideOf(a, b, ray.direction);
+    const bool passes = side == sideOf(b, c, ray.direction) && side == sideOf(c, a, ray.direction);
+    const double at = glm::dot(normal, a) / glm::dot(normal, ray.direction);
     count += passes && at >= ray.near && at <= ray.far;
   }
   return count;

@@ -29,6 +29,7 @@ class ClassicVolume {
 
   /// Faces: triangles, and one or two triangles with corners at infinity for each side plane.
   std::size_t faceCount() const { return faces_.size(); }
+  static std::size_t bytesPerFace() { return sizeof(Face); }
 
   /// Adds to counts[y · width + x] the number of the mesh's triangles between the light and the
   /// point at t = depths[y · width + x], which may be infinite. A face within `relativeBias` of a

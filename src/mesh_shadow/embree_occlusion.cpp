@@ -16,19 +16,18 @@ namespace {
 
 constexpr std::size_t packetSize = 16;
 
-AxisBox boundsOf(const TriangleMesh& mesh) {
-  AxisBox box;
-  for (const glm::vec3& p : mesh.positions) box = united(box, {p, p});
-  return box;
-}
-
 }  // namespace
 
 EmbreeOcclusion::EmbreeOcclusion(std::span<const Occluder> occluders, const ShadowLight& light)
-    : occluders_(occluders.begin(), occluders.end()), light_(light) {
-  for (std::uint32_t i = 0; i < occluders_.size(); ++i)
-    if (const auto* mesh = std::get_if<const TriangleMesh*>(&occluders_[i]))
-      meshes_.emplace(i, Mesh{boundsOf(**mesh), RayScene(**mesh)});
+    : occluders_(occluders.size()), light_(light) {
+  for (std::uint32_t i = 0; i < occluders.size(); ++i) replace(i, occluders[i]);
+}
+
+void EmbreeOcclusion::replace(std::uint32_t caster, const Occluder& shape) {
+  occluders_[caster] = shape;
+  meshes_.erase(caster);
+  if (const auto* mesh = std::get_if<const TriangleMesh*>(&shape))
+    meshes_.emplace(caster, Mesh{boundsOf(shape), RayScene(**mesh)});
 }
 
 Ray EmbreeOcclusion::startBefore(const OcclusionRay& ray, const AxisBox& bounds) const {

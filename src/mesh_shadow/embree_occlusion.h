@@ -22,6 +22,9 @@ class EmbreeOcclusion final : public OcclusionQuery {
   /// ray.caster counts in `occluders`. Meshes are copied, solids must stay.
   EmbreeOcclusion(std::span<const Occluder> occluders, const ShadowLight& light);
 
+  /// A shape that has changed, in the place of that one.
+  void replace(std::uint32_t caster, const Occluder& shape);
+
   void answer(std::span<const OcclusionRay> rays, std::span<std::uint8_t> blocked) const override;
 
  private:

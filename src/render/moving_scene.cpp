@@ -21,12 +21,14 @@ std::vector<Sphere> inWorld(const ObjectSpheres& spheres, const TriangleMesh& wo
 
 }  // namespace
 
-MovingScene::MovingScene(const SceneDescription& description, const Progress& progress)
-    : description_(description), light_(description.light, scene_.warnings) {
+MovingScene::MovingScene(const SceneDescription& description, const Progress& progress,
+                         SceneParts parts)
+    : description_(description),
+      parts_(parts),
+      light_(parts == SceneParts::all ? description.light : LightDescription{}, scene_.warnings) {
   scene_.receiver = description.receiver;
   for (const ObjectDescription& object : description.objects) addObject(object, progress);
   show(0);
-  movedObjects_.assign(objects_.size(), true);
 }
 
 void MovingScene::addObject(const ObjectDescription& description, const Progress& progress) {
@@ -41,7 +43,7 @@ void MovingScene::addObject(const ObjectDescription& description, const Progress
                                               description.castsShadow,
                                               object.worldSolid(0),
                                               description.family.value_or("")});
-  if (!description.castsShadow) return;
+  if (!description.castsShadow || parts_ == SceneParts::hardShadows) return;
   const ObjectSpheres spheres =
       spheresOf(description, {object.loadedMesh(), local, shown.mesh}, scene_.warnings, progress);
   shown.measures = spheres.set.measures;
@@ -72,14 +74,13 @@ void MovingScene::show(double seconds) {
 
 void MovingScene::showMeshes(double seconds) {
   auto bound = boundVertices_.begin();
-  movedObjects_.assign(objects_.size(), false);
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (!objects_[i].moves()) continue;
     SceneObject& shown = scene_.objects[i];
-    TriangleMesh before = std::exchange(shown.mesh, objects_[i].worldMesh(seconds));
+    const TriangleMesh before = std::exchange(shown.mesh, objects_[i].worldMesh(seconds));
     shown.solid = objects_[i].worldSolid(seconds);
-    movedObjects_[i] = before.positions != shown.mesh.positions;
-    if (!shown.castsShadow) continue;
+    shown.revision += before.positions != shown.mesh.positions;
+    if (!shown.castsShadow || parts_ == SceneParts::hardShadows) continue;
     for (const glm::vec3& position : shown.mesh.positions) *bound++ = glm::vec4(position, 0);
   }
 }
@@ -94,7 +95,7 @@ bool MovingScene::showLight(double seconds, bool ontoCube) {
     const DirectionalLightDescription light = directionalLightAt(description, seconds);
     scene_.punctualLights.push_back({DirectionalLight{light.towards}, light.irradiance});
   }
-  return light_.show(seconds, scene_.light, ontoCube);
+  return light_.show(seconds, scene_.light, ontoCube && parts_ == SceneParts::all);
 }
 
 void MovingScene::showSpheres(std::span<const Sphere> spheres) {

@@ -13,6 +13,9 @@
 
 namespace haarlight {
 
+/// What is needed of a scene: for hard shadows neither spheres nor the light all around.
+enum class SceneParts { all, hardShadows };
+
 /// A scene file with everything loaded, at any time. What is shown at a second depends on nothing
 /// that was shown before.
 ///
@@ -21,7 +24,8 @@ namespace haarlight {
 class MovingScene {
  public:
   /// Loads meshes and lights, fits or reads the spheres, and shows second 0. Throws InputError.
-  explicit MovingScene(const SceneDescription& description, const Progress& progress = {});
+  explicit MovingScene(const SceneDescription& description, const Progress& progress = {},
+                       SceneParts parts = SceneParts::all);
 
   /// Whether anything, the lights and the camera included, changes over time.
   bool moves() const;
@@ -43,10 +47,6 @@ class MovingScene {
   /// hard shadows are brought to the second, too.
   bool showLight(double seconds, bool ontoCube = true);
 
-  /// By object: whether its vertices differ from those that were shown before the last show() or
-  /// showMeshes(). At first, all objects.
-  const std::vector<bool>& movedObjects() const { return movedObjects_; }
-
   /// Binds the spheres of all moving objects that cast shadows, in order of the objects, to
   /// boundVertices().
   const SphereBinding& binding() const { return binding_; }
@@ -62,12 +62,12 @@ class MovingScene {
   void addObject(const ObjectDescription& description, const Progress& progress);
 
   SceneDescription description_;
+  SceneParts parts_;
   Scene scene_;
   std::vector<MovingObject> objects_;
   MovingLight light_;
   SphereBinding binding_;
   std::vector<glm::vec4> boundVertices_;
-  std::vector<bool> movedObjects_;
 };
 
 /// The scene at second 0.

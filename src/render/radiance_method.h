@@ -38,9 +38,12 @@ class RadianceMethod {
   /// Seconds of all calls so far; only `haar`, `shexp` and `sh` know their stages, the others their
   /// total.
   const StageTimes& times() const { return times_; }
+  /// Of the total: for the light of punctual lights and its shadows.
+  double punctualSeconds() const { return punctualSeconds_; }
 
  protected:
   StageTimes times_;
+  double punctualSeconds_ = 0;
 };
 
 /// Methods keep a reference to the scene.

@@ -4,6 +4,16 @@
 
 namespace haarlight {
 
+TriangleMesh receiverRectangle(const ReceiverDescription& receiver) {
+  const glm::dvec3 half(receiver.size.x / 2, 0, receiver.size.y / 2);
+  TriangleMesh mesh;
+  for (const glm::dvec3 corner : {glm::dvec3(-1, 0, -1), {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}})
+    mesh.positions.push_back(glm::vec3(receiver.center + corner * half));
+  mesh.normals.assign(4, {0, 1, 0});
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
 std::size_t ReceiverGrid::vertexCount() const {
   return std::size_t(receiver_.samples.x + 1) * std::size_t(receiver_.samples.y + 1);
 }

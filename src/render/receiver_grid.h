@@ -5,6 +5,9 @@
 
 namespace haarlight {
 
+/// The receiver as two triangles that face up.
+TriangleMesh receiverRectangle(const ReceiverDescription& receiver);
+
 /// The receiver as a mesh, for methods that work on vertices: one vertex at every corner of its
 /// texels, (columns + 1) × (rows + 1) of them row by row, and each texel is two triangles.
 class ReceiverGrid {

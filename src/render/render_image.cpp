@@ -9,21 +9,11 @@
 #include "base/parallel.h"
 #include "engine/tile_order.h"
 #include "mesh/ray_scene.h"
+#include "render/receiver_grid.h"
 
 namespace haarlight {
 
 namespace {
-
-/// The receiver as two triangles that face up.
-TriangleMesh planeMesh(const ReceiverDescription& receiver) {
-  const glm::dvec3 half(receiver.size.x / 2, 0, receiver.size.y / 2);
-  TriangleMesh mesh;
-  for (const glm::dvec3 corner : {glm::dvec3(-1, 0, -1), {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}})
-    mesh.positions.push_back(glm::vec3(receiver.center + corner * half));
-  mesh.normals.assign(4, {0, 1, 0});
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  return mesh;
-}
 
 struct CameraRay {
   glm::vec3 direction;
@@ -41,7 +31,7 @@ struct ScreenSampler::Implementation {
       : scene(s),
         image(imageDescription),
         camera(cameraDescription, imageDescription.width, imageDescription.height),
-        gridSide(std::max(1, int(std::ceil(std::sqrt(double(imageDescription.samplesPerPixel)))))) {
+        gridSide(raysPerPixelSide(imageDescription)) {
     std::vector<Occluder> occluders;
     for (const SceneObject& object : scene.objects) {
       occluders.push_back(object.occluder());
@@ -49,7 +39,7 @@ struct ScreenSampler::Implementation {
     }
     TriangleMesh plane;
     if (scene.receiver) {
-      plane = planeMesh(*scene.receiver);
+      plane = receiverRectangle(*scene.receiver);
       occluders.push_back(&plane);
       albedos.push_back(glm::vec3(scene.receiver->albedo));
     }
@@ -136,6 +126,10 @@ struct ScreenSampler::Implementation {
   std::vector<glm::vec3> albedos;
   std::unique_ptr<RayScene> rays;
 };
+
+int raysPerPixelSide(const ImageDescription& image) {
+  return std::max(1, int(std::ceil(std::sqrt(double(image.samplesPerPixel)))));
+}
 
 ScreenSampler::ScreenSampler(const Scene& scene, const CameraDescription& camera,
                              const ImageDescription& image)

@@ -23,6 +23,10 @@ struct RenderedImage {
   std::size_t surfaceSamples = 0;
 };
 
+/// Camera rays of a pixel are the centres of so many × so many cells: samplesPerPixel rounded up to
+/// a square number.
+int raysPerPixelSide(const ImageDescription& image);
+
 /// Camera rays against the scene's objects and its receiver plane.
 class ScreenSampler {
  public:
@@ -34,8 +38,7 @@ class ScreenSampler {
   /// One sample for every 8×8 pixels, to rank light terms by.
   std::vector<SurfaceSample> overview() const;
 
-  /// Computes the picture row block by row block. Sub-pixel positions are the centres of a square
-  /// grid of samplesPerPixel cells (rounded up to a square number).
+  /// Computes the picture row block by row block.
   RenderedImage render(RadianceMethod& method, const Progress& progress = {}) const;
 
  private:

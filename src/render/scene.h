@@ -8,7 +8,7 @@
 #include "light/light_projection.h"
 #include "mesh/occluder.h"
 #include "scene/scene_description.h"
-#include "shadow/shadow_light.h"
+#include "shadow/punctual_light.h"
 #include "spheres/sphere_set.h"
 
 namespace haarlight {
@@ -28,19 +28,11 @@ struct SceneObject {
   std::optional<Solid> solid;
   /// Empty: none.
   std::string family;
+  /// Another number whenever mesh or solid are elsewhere.
+  std::uint64_t revision = 0;
 
   /// What rays meet: the solid, else the mesh.
   Occluder occluder() const;
-};
-
-/// A light with hard shadows.
-struct PunctualLight {
-  ShadowLight light;
-  /// Linear RGB: a point light's intensity in W/sr, a directional light's irradiance on a surface
-  /// that faces it.
-  glm::vec3 strength;
-
-  bool operator==(const PunctualLight&) const = default;
 };
 
 /// Light as it was measured at a place.

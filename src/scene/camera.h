@@ -31,6 +31,11 @@ class Camera {
   /// ½).
   glm::dvec3 direction(double x, double y) const;
 
+  // That ray passes through topLeft() + x · columnStep() + y · rowStep(), from the position.
+  const glm::dvec3& topLeft() const { return topLeft_; }
+  const glm::dvec3& columnStep() const { return columnStep_; }
+  const glm::dvec3& rowStep() const { return rowStep_; }
+
  private:
   glm::dvec3 position_;
   glm::dvec3 topLeft_;     // from the position to the image's corner, at distance 1

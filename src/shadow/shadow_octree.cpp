@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/error.h"
+#include "shadow/shaft.h"
 
 namespace haarlight {
 
@@ -63,6 +64,13 @@ std::optional<ShadowLeaf> ShadowOctree::leafAt(const glm::dvec3& point) const {
   const ShadowLeaf& leaf = *(after - 1);
   if (code - leaf.cell.first >= leaf.cell.span()) return std::nullopt;
   return leaf;
+}
+
+std::optional<ShadowLeaf> ShadowOctree::leafNear(const glm::dvec3& point, double reach) const {
+  if (const auto leaf = leafAt(point)) return leaf;
+  for (const glm::dvec3& corner : cornersOf({point - reach, point + reach}))
+    if (const auto leaf = leafAt(corner)) return leaf;
+  return std::nullopt;
 }
 
 bool ShadowOctree::isInShadow(const glm::dvec3& point) const {

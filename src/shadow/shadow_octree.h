@@ -54,6 +54,10 @@ class ShadowOctree {
   /// off the surface.
   std::optional<ShadowLeaf> leafAt(const glm::dvec3& point) const;
 
+  /// The same for a point that rounding has moved off the surface by up to `reach` along each axis:
+  /// if no leaf holds it, one that the cube of that size around it meets.
+  std::optional<ShadowLeaf> leafNear(const glm::dvec3& point, double reach) const;
+
   /// Whether a point of the surface lies in a leaf that is in shadow.
   bool isInShadow(const glm::dvec3& point) const;
 

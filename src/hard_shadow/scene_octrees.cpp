@@ -1,0 +1,107 @@
+#include "hard_shadow/scene_octrees.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "mesh_shadow/lit_mesh.h"
+#include "mesh_shadow/mesh_object.h"
+#include "shadow/solid_object.h"
+
+namespace haarlight {
+
+namespace {
+
+std::unique_ptr<ShadowObject> prepared(const Occluder& shape, const ShadowLight& light) {
+  if (const auto* solid = std::get_if<const Solid*>(&shape)) return makeShadowObject(**solid);
+  return makeShadowObject(*std::get<const TriangleMesh*>(shape), light);
+}
+
+/// Whether a receiver's octree may differ: it, or one that casts a shadow on it, has moved.
+bool isTouched(std::uint32_t receiver, const std::vector<std::uint32_t>& casters,
+               const std::vector<bool>& moved) {
+  return moved[receiver] ||
+         std::ranges::any_of(casters, [&](std::uint32_t caster) { return moved[caster]; });
+}
+
+}  // namespace
+
+SceneOctrees::SceneOctrees(const LevelOfDetail& detail) : detail_(detail) {
+  checkDetail(detail);
+}
+
+void SceneOctrees::show(std::span<const ShadowParticipant> participants, const ShadowLight& light,
+                        const std::vector<bool>& moved) {
+  checkLight(light);
+  const std::size_t count = participants.size();
+  const bool isNew = light_ != light || moved.empty() || octrees_.size() != count;
+  const std::vector<bool> changed = isNew ? std::vector<bool>(count, true) : moved;
+  if (isNew) {
+    light_ = light;
+    rays_.emplace(std::vector<Occluder>(count), light);
+    objects_.resize(count), boxes_.resize(count), octrees_.resize(count),
+        casters_.assign(count, {});
+  }
+  work_ = {};
+  Stopwatch watch;
+  prepare(participants, changed);
+  work_.prepareSeconds = watch.lap();
+  const auto casters = findCasters(participants);
+  work_.pairSeconds = watch.lap();
+
+  std::vector<const ShadowObject*> objects;
+  for (const auto& object : objects_) objects.push_back(object.get());
+  const ShadowScene scene{objects, *light_, *rays_};
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!isTouched(i, casters[i], changed) && !isTouched(i, casters_[i], changed)) continue;
+    octrees_[i] =
+        buildShadowOctree(scene, i, casters[i], depthsFor(detail_, boxes_[i]), work_.counts);
+    ++work_.builtOctrees;
+  }
+  casters_ = casters;
+  work_.octreeSeconds = watch.lap();
+}
+
+void SceneOctrees::prepare(std::span<const ShadowParticipant> participants,
+                           const std::vector<bool>& moved) {
+  for (std::uint32_t i = 0; i < participants.size(); ++i) {
+    if (!moved[i]) continue;
+    rays_->replace(i, participants[i].shape);
+    objects_[i] = prepared(participants[i].shape, *light_);
+    boxes_[i] = objects_[i]->bounds();
+    ++work_.preparedObjects;
+  }
+}
+
+std::vector<std::vector<std::uint32_t>> SceneOctrees::findCasters(
+    std::span<const ShadowParticipant> participants) {
+  work_.pairs = findShadowPairs(BoxTree(boxes_, familiesOf(participants)), *light_);
+  std::erase_if(work_.pairs.kept,
+                [&](const ShadowPair& pair) { return !participants[pair.caster].castsShadow; });
+  return castersByReceiver(work_.pairs.kept, participants.size());
+}
+
+void SceneOctrees::answer(std::span<const ReceiverPoint> points,
+                          std::span<std::uint8_t> inShadow) const {
+  parallelFor(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const ReceiverPoint& point = points[i];
+      inShadow[i] = point.object != ReceiverPoint::nothing &&
+                    (!facesLight(point, *light_) || isInShadow(point));
+    }
+  });
+}
+
+bool SceneOctrees::isInShadow(const ReceiverPoint& point) const {
+  const double reach = singlePrecisionMargin({point.position, point.position});
+  const auto leaf = octrees_[point.object].leafNear(point.position, reach);
+  return leaf && leaf->inShadow;
+}
+
+std::size_t SceneOctrees::memory() const {
+  std::size_t leaves = 0;
+  for (const ShadowOctree& octree : octrees_) leaves += octree.leaves().size();
+  return leaves * sizeof(ShadowLeaf);
+}
+
+}  // namespace haarlight
