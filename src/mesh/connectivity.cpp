@@ -30,14 +30,29 @@ WeldedMesh weld(const TriangleMesh& mesh) {
 }
 
 std::vector<EdgeUse> sortedEdgeUses(std::span<const VertexTriple> triangles) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * triangles.size());
-  for (const VertexTriple& t : triangles)
-    for (int i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
-      uses.push_back({low, high, static_cast<std::uint32_t>(uses.size())});
-    }
-  std::sort(uses.begin(), uses.end());
+  // By their lower vertices first, which are numbers below a known one; few uses share one.
+  std::uint32_t vertices = 0;
+  for (const VertexTriple& t : triangles) vertices = std::max({vertices, t[0], t[1], t[2]});
+  std::vector<std::uint32_t> next(std::size_t(vertices) + 2);
+  const auto forEachUse = [&](const auto& visit) {
+    std::uint32_t corner = 0;
+    for (const VertexTriple& t : triangles)
+      for (int i = 0; i < 3; ++i, ++corner) {
+        const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
+        visit(EdgeUse{low, high, corner});
+      }
+  };
+  forEachUse([&](const EdgeUse& use) { ++next[use.low + 1]; });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<EdgeUse> uses(3 * triangles.size());
+  forEachUse([&](const EdgeUse& use) { uses[next[use.low]++] = use; });
+  // Now next[vertex] is where the uses of that lower vertex end.
+  auto first = uses.begin();
+  for (std::uint32_t vertex = 0; vertex <= vertices && first != uses.end(); ++vertex) {
+    const auto end = uses.begin() + next[vertex];
+    std::sort(first, end);
+    first = end;
+  }
   return uses;
 }
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numeric>
 
-#include "base/parallel.h"
 #include "mesh_shadow/lit_mesh.h"
 #include "shadow/solid_occlusion.h"
 
@@ -53,8 +52,8 @@ void EmbreeOcclusion::castPacket(const Mesh& mesh, std::span<const OcclusionRay>
 }
 
 /// For rays that all ask about one caster.
-void EmbreeOcclusion::answer(std::uint32_t caster, std::span<const OcclusionRay> rays, Order order,
-                             std::span<std::uint8_t> blocked) const {
+void EmbreeOcclusion::answerFor(std::uint32_t caster, std::span<const OcclusionRay> rays,
+                                Order order, std::span<std::uint8_t> blocked) const {
   if (const auto* solid = std::get_if<const Solid*>(&occluders_[caster])) {
     for (const std::uint32_t i : order)
       blocked[i] = blocksLight(**solid, rays[i].from, light_, rays[i].leavesCaster);
@@ -66,22 +65,17 @@ void EmbreeOcclusion::answer(std::uint32_t caster, std::span<const OcclusionRay>
                blocked);
 }
 
-void EmbreeOcclusion::answer(std::span<const OcclusionRay> rays,
-                             std::span<std::uint8_t> blocked) const {
+void EmbreeOcclusion::answerHere(std::span<const OcclusionRay> rays,
+                                 std::span<std::uint8_t> blocked) const {
   std::vector<std::uint32_t> order(rays.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto casterOf = [&](std::uint32_t i) { return rays[i].caster; };
   std::ranges::stable_sort(order, {}, casterOf);
-  constexpr std::size_t grain = 16 * packetSize;
-  parallelFor(rays.size(), grain, [&](std::size_t begin, std::size_t end) {
-    while (begin < end) {
-      const std::uint32_t caster = casterOf(order[begin]);
-      std::size_t next = begin;
-      while (next < end && casterOf(order[next]) == caster) ++next;
-      answer(caster, rays, Order(order).subspan(begin, next - begin), blocked);
-      begin = next;
-    }
-  });
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    const std::uint32_t caster = casterOf(order[begin]);
+    while (end < order.size() && casterOf(order[end]) == caster) ++end;
+    answerFor(caster, rays, Order(order).subspan(begin, end - begin), blocked);
+  }
 }
 
 }  // namespace haarlight

@@ -25,7 +25,8 @@ class EmbreeOcclusion final : public OcclusionQuery {
   /// A shape that has changed, in the place of that one.
   void replace(std::uint32_t caster, const Occluder& shape);
 
-  void answer(std::span<const OcclusionRay> rays, std::span<std::uint8_t> blocked) const override;
+  void answerHere(std::span<const OcclusionRay> rays,
+                  std::span<std::uint8_t> blocked) const override;
 
  private:
   using Order = std::span<const std::uint32_t>;  ///< numbers of rays that ask about one caster
@@ -38,8 +39,8 @@ class EmbreeOcclusion final : public OcclusionQuery {
   Ray startBefore(const OcclusionRay& ray, const AxisBox& bounds) const;
   void castPacket(const Mesh& mesh, std::span<const OcclusionRay> rays, Order order,
                   std::span<std::uint8_t> blocked) const;
-  void answer(std::uint32_t caster, std::span<const OcclusionRay> rays, Order order,
-              std::span<std::uint8_t> blocked) const;
+  void answerFor(std::uint32_t caster, std::span<const OcclusionRay> rays, Order order,
+                 std::span<std::uint8_t> blocked) const;
 
   std::vector<Occluder> occluders_;
   std::map<std::uint32_t, Mesh> meshes_;  ///< by occluder

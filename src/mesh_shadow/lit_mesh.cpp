@@ -1,5 +1,6 @@
 #include "mesh_shadow/lit_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -37,7 +38,7 @@ LitMesh::LitMesh(const TriangleMesh& mesh, const ShadowLight& light) : light_(li
     for (const std::uint32_t vertex : t)
       bounds_ = united(bounds_, {positions_[vertex], positions_[vertex]});
   }
-  findSilhouette();
+  lookAtEdges();
   holdsLight_ = findLight();
 }
 
@@ -70,17 +71,28 @@ int LitMesh::side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
   return volume > least ? 1 : volume < -least ? -1 : 0;
 }
 
-void LitMesh::findSilhouette() {
+void LitMesh::lookAtEdges() {
+  neighbors_.assign(triangles_.size(), {border, border, border});
   const std::vector<EdgeUse> uses = sortedEdgeUses(triangles_);
   forEachEdge(uses, [&](std::span<const EdgeUse> edge) {
-    bool left = false, right = false;
-    for (const EdgeUse& use : edge) {
-      const int upward = runsUpward(triangles_, use) ? 1 : -1;
-      const int side = upward * facing(use.triangle());
-      left = left || side > 0, right = right || side < 0;
-    }
-    if (!left || !right) silhouette_.push_back({edge[0].low, edge[0].high});
+    if (isOfSilhouette(edge)) silhouette_.push_back({edge[0].low, edge[0].high});
+    for (std::size_t i = 0; i < edge.size() && edge.size() > 1; ++i)
+      neighbors_[edge[i].triangle()][edge[i].corner % 3] =
+          edge.size() == 2 ? edge[1 - i].triangle() : branch;
+    const auto upward = std::ranges::count_if(
+        edge, [&](const EdgeUse& use) { return runsUpward(triangles_, use); });
+    isClosed_ = isClosed_ && 2 * std::size_t(upward) == edge.size();
   });
+}
+
+bool LitMesh::isOfSilhouette(std::span<const EdgeUse> edge) const {
+  bool left = false, right = false;
+  for (const EdgeUse& use : edge) {
+    const int upward = runsUpward(triangles_, use) ? 1 : -1;
+    const int side = upward * facing(use.triangle());
+    left = left || side > 0, right = right || side < 0;
+  }
+  return !left || !right;
 }
 
 /// Whether all of triangle b lies on the other side than a of an edge of a.

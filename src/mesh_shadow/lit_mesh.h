@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "mesh/connectivity.h"
@@ -17,6 +18,7 @@ namespace haarlight {
 class LitMesh {
  public:
   using Edge = std::array<std::uint32_t, 2>;
+  static constexpr std::uint32_t border = ~std::uint32_t(0), branch = border - 1;
 
   /// Vertices at one position become one. Throws InputError when a coordinate is not finite.
   LitMesh(const TriangleMesh& mesh, const ShadowLight& light);
@@ -38,6 +40,18 @@ class LitMesh {
   /// on both sides.
   const std::vector<Edge>& silhouette() const { return silhouette_; }
 
+  /// The triangle at the other side of the edge from a corner to the next; `border` if there is
+  /// none, `branch` if there are several.
+  std::uint32_t neighbor(std::uint32_t triangle, int corner) const {
+    return neighbors_[triangle][std::size_t(corner)];
+  }
+
+  bool isTriangle(std::uint32_t neighbor) const { return neighbor < triangleCount(); }
+
+  /// Whether triangles run through every edge as often upwards as downwards, so that they bound
+  /// spaces: every point off the mesh has a winding number.
+  bool isClosed() const { return isClosed_; }
+
   /// Whether the light may see one triangle through the other: not where a plane through the light
   /// and an edge has them on different sides.
   bool mayOverlap(std::uint32_t a, std::uint32_t b) const;
@@ -51,7 +65,8 @@ class LitMesh {
  private:
   int side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   bool hasSeparatingEdge(std::uint32_t a, std::uint32_t b) const;
-  void findSilhouette();
+  void lookAtEdges();
+  bool isOfSilhouette(std::span<const EdgeUse> edge) const;
   bool findLight() const;
 
   ShadowLight light_;
@@ -59,8 +74,9 @@ class LitMesh {
   std::vector<VertexTriple> triangles_;
   std::vector<std::int8_t> facing_;
   std::vector<Edge> silhouette_;
+  std::vector<VertexTriple> neighbors_;
   AxisBox bounds_;
-  bool holdsLight_ = false;
+  bool holdsLight_ = false, isClosed_ = true;
 };
 
 /// How far rounding to single precision may move a point within a box.

@@ -4,71 +4,98 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <utility>
-#include <vector>
 
 namespace haarlight {
 
 namespace {
 
-/// A triangle relative to the middle of a box of these half sizes.
-struct CenteredPair {
-  TriangleCorners triangle;
-  glm::dvec3 half;
-
-  bool isSeparatedBy(const glm::dvec3& axis) const {
-    const auto [low, high] = std::minmax(
-        {glm::dot(triangle[0], axis), glm::dot(triangle[1], axis), glm::dot(triangle[2], axis)});
-    const double reach = glm::dot(half, glm::abs(axis));
-    return low > reach || high < -reach;
-  }
-};
-
-/// Keeps the part of a polygon where sign · coordinate ≤ sign · place.
-void cut(std::vector<glm::dvec3>& polygon, int axis, double sign, double place) {
-  std::vector<glm::dvec3> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const glm::dvec3& a = polygon[i];
-    const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
-    const double beyondA = sign * (a[axis] - place), beyondB = sign * (b[axis] - place);
-    if (beyondA <= 0) result.push_back(a);
-    if ((beyondA < 0 && beyondB > 0) || (beyondA > 0 && beyondB < 0))
-      result.push_back(a + beyondA / (beyondA - beyondB) * (b - a));
-  }
-  polygon = std::move(result);
+/// Whether two numbers lie beyond the same end of the interval [-reach, reach].
+bool areBeyond(double a, double b, double reach) {
+  return std::min(a, b) > reach || std::max(a, b) < -reach;
 }
+
+/// For the three axes across an edge and a coordinate axis, along which both ends of the edge have
+/// one place, by which the third corner differs. Relative to the box's middle.
+bool isSeparatedAcross(const glm::dvec3& edge, const glm::dvec3& end, const glm::dvec3& third,
+                       const glm::dvec3& half) {
+  const glm::dvec3 size = glm::abs(edge);
+  return areBeyond(edge.y * end.z - edge.z * end.y, edge.y * third.z - edge.z * third.y,
+                   half.y * size.z + half.z * size.y) ||
+         areBeyond(edge.z * end.x - edge.x * end.z, edge.z * third.x - edge.x * third.z,
+                   half.x * size.z + half.z * size.x) ||
+         areBeyond(edge.x * end.y - edge.y * end.x, edge.x * third.y - edge.y * third.x,
+                   half.x * size.y + half.y * size.x);
+}
+
+/// What planes cut out of a triangle.
+class CutTriangle {
+ public:
+  explicit CutTriangle(const TriangleCorners& triangle) {
+    std::copy(triangle.begin(), triangle.end(), corners_.begin());
+  }
+
+  /// Keeps the part where sign · coordinate ≤ sign · place.
+  void cut(int axis, double sign, double place) {
+    std::array<glm::dvec3, mostCorners> old;
+    const int oldCount = count_;
+    std::copy_n(corners_.begin(), oldCount, old.begin());
+    count_ = 0;
+    for (int i = 0; i < oldCount; ++i) {
+      const glm::dvec3 &a = old[i], &b = old[i + 1 < oldCount ? i + 1 : 0];
+      const double beyondA = sign * (a[axis] - place), beyondB = sign * (b[axis] - place);
+      if (beyondA <= 0) corners_[count_++] = a;
+      if ((beyondA < 0 && beyondB > 0) || (beyondA > 0 && beyondB < 0))
+        corners_[count_++] = a + beyondA / (beyondA - beyondB) * (b - a);
+    }
+  }
+
+  std::optional<glm::dvec3> middle() const {
+    if (count_ == 0) return std::nullopt;
+    glm::dvec3 sum(0);
+    for (int i = 0; i < count_; ++i) sum += corners_[i];
+    return sum / double(count_);
+  }
+
+ private:
+  /// Each of six planes adds one corner at most, or half as many as there are where rounding has
+  /// bent the polygon.
+  static constexpr int mostCorners = 28;
+
+  std::array<glm::dvec3, mostCorners> corners_;
+  int count_ = 3;
+};
 
 }  // namespace
 
 bool triangleMeetsBox(const TriangleCorners& triangle, const AxisBox& box) {
-  const glm::dvec3 middle = box.center();
-  const CenteredPair pair{{triangle[0] - middle, triangle[1] - middle, triangle[2] - middle},
-                          0.5 * box.upper - 0.5 * box.lower};
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::dvec3 unit(0);
-    unit[axis] = 1;
-    if (pair.isSeparatedBy(unit)) return false;
-  }
-  const glm::dvec3 edges[] = {triangle[1] - triangle[0], triangle[2] - triangle[1],
-                              triangle[0] - triangle[2]};
-  if (pair.isSeparatedBy(glm::cross(edges[0], edges[1]))) return false;
-  for (const glm::dvec3& edge : edges)
-    for (const glm::dvec3& axis : {glm::dvec3(0, -edge.z, edge.y), glm::dvec3(edge.z, 0, -edge.x),
-                                   glm::dvec3(-edge.y, edge.x, 0)})
-      if (pair.isSeparatedBy(axis)) return false;
-  return true;
+  const glm::dvec3 middle = box.center(), half = 0.5 * box.upper - 0.5 * box.lower;
+  const glm::dvec3 a = triangle[0] - middle, b = triangle[1] - middle, c = triangle[2] - middle;
+  const glm::dvec3 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
+  if (!overlap(AxisBox{low, high}, AxisBox{-half, half})) return false;
+  const glm::dvec3 ab = b - a, bc = c - b, ca = a - c, normal = glm::cross(ab, bc);
+  if (std::abs(glm::dot(normal, a)) > glm::dot(half, glm::abs(normal))) return false;
+  return !isSeparatedAcross(ab, a, c, half) && !isSeparatedAcross(bc, b, a, half) &&
+         !isSeparatedAcross(ca, c, b, half);
 }
 
+bool segmentMeetsBox(const glm::dvec3& a, const glm::dvec3& b, const AxisBox& box) {
+  return box.contains(a) || box.contains(b) || triangleMeetsBox({a, b, b}, box);
+}
+
+BoxedTriangle::BoxedTriangle(const TriangleCorners& triangle)
+    : corners(triangle),
+      bounds{glm::min(glm::min(triangle[0], triangle[1]), triangle[2]),
+             glm::max(glm::max(triangle[0], triangle[1]), triangle[2])} {}
+
 std::optional<glm::dvec3> pointInBoth(const TriangleCorners& triangle, const AxisBox& box) {
-  std::vector<glm::dvec3> polygon(triangle.begin(), triangle.end());
+  const glm::dvec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+  if (box.contains(middle)) return middle;
+  CutTriangle rest(triangle);
   for (int axis = 0; axis < 3; ++axis) {
-    cut(polygon, axis, 1, box.upper[axis]);
-    cut(polygon, axis, -1, box.lower[axis]);
+    rest.cut(axis, 1, box.upper[axis]);
+    rest.cut(axis, -1, box.lower[axis]);
   }
-  if (polygon.empty()) return std::nullopt;
-  glm::dvec3 sum(0);
-  for (const glm::dvec3& corner : polygon) sum += corner;
-  return sum / double(polygon.size());
+  return rest.middle();
 }
 
 }  // namespace haarlight

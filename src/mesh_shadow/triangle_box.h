@@ -14,8 +14,24 @@ using TriangleCorners = std::array<glm::dvec3, 3>;
 /// 2001). Triangles without an area, lines and points, count too.
 bool triangleMeetsBox(const TriangleCorners& triangle, const AxisBox& box);
 
-/// The mean of the corners of what a box cuts out of a triangle: a point of both. Nothing when they
-/// have no point in common.
+/// Whether a segment and a box have a point in common.
+bool segmentMeetsBox(const glm::dvec3& a, const glm::dvec3& b, const AxisBox& box);
+
+/// A triangle with its own box, by which most other boxes are told.
+struct BoxedTriangle {
+  TriangleCorners corners;
+  AxisBox bounds;
+
+  explicit BoxedTriangle(const TriangleCorners& triangle);
+
+  /// The same as triangleMeetsBox.
+  bool meets(const AxisBox& box) const {
+    return overlap(bounds, box) && (liesWithin(bounds, box) || triangleMeetsBox(corners, box));
+  }
+};
+
+/// A point of a triangle that lies in a box too: the triangle's middle, or else the mean of the
+/// corners of what the box cuts out of it. Nothing when they have no point in common.
 std::optional<glm::dvec3> pointInBoth(const TriangleCorners& triangle, const AxisBox& box);
 
 }  // namespace haarlight

@@ -19,9 +19,12 @@ class OcclusionQuery {
   virtual ~OcclusionQuery() = default;
 
   /// Sets blocked[i] to 1 where the caster has a point on the way of rays[i], which is closed, and
-  /// to 0 elsewhere. Uses all threads. As many answers as rays.
-  virtual void answer(std::span<const OcclusionRay> rays,
-                      std::span<std::uint8_t> blocked) const = 0;
+  /// to 0 elsewhere. As many answers as rays. In the calling thread; any may ask.
+  virtual void answerHere(std::span<const OcclusionRay> rays,
+                          std::span<std::uint8_t> blocked) const = 0;
+
+  /// The same with all threads.
+  void answer(std::span<const OcclusionRay> rays, std::span<std::uint8_t> blocked) const;
 };
 
 }  // namespace haarlight

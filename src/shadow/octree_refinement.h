@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "shadow/occlusion_query.h"
+#include "shadow/octree_counts.h"
 #include "shadow/shadow_light.h"
 #include "shadow/shadow_object.h"
 #include "shadow/shadow_octree.h"
@@ -24,21 +24,6 @@ struct OctreeDepths {
 
 /// Throws InputError unless 0 ≤ interior ≤ boundary ≤ 10.
 void checkDepths(const OctreeDepths& depths);
-
-/// What it took to build an octree.
-struct OctreeCounts {
-  using ByDepth = std::array<std::uint64_t, deepestCell + 1>;
-
-  ByDepth cells{};          ///< looked at
-  ByDepth unreached{};      ///< of these: dropped, as the receiver's surface does not reach them
-  ByDepth inShadow{};       ///< leaves
-  ByDepth inLight{};        ///< leaves
-  std::uint64_t byRay = 0;  ///< leaves, all at the boundary depth, that hold for one point
-  std::uint64_t rays = 0;
-  double proofSeconds = 0, raySeconds = 0, sortSeconds = 0;
-
-  OctreeCounts& operator+=(const OctreeCounts& other);
-};
 
 /// The objects of a scene, the light, and who answers rays; none is copied. The light must be one
 /// that checkLight accepts.

@@ -35,14 +35,14 @@ class ConvexObject final : public SolidObject {
 
   bool castsOnItself() const override { return false; }
 
-  bool surfaceReaches(const AxisBox& cell, Parts&) const override {
+  bool surfaceReaches(const AxisBox& cell, PartView, Parts&) const override {
     return !gapTo(cell).isApart && !std::ranges::all_of(cornersOf(cell), [&](const auto& corner) {
       return solid_.contains(corner);
     });
   }
 
   /// Where the way from a point of the solid in the cell to a corner outside leaves the solid.
-  glm::dvec3 surfacePoint(const AxisBox& cell, const Parts&) const override {
+  glm::dvec3 surfacePoint(const AxisBox& cell, PartView) const override {
     glm::dvec3 inside = gapTo(cell).nearest;
     glm::dvec3 outside = inside;
     for (const glm::dvec3& corner : cornersOf(cell))
@@ -51,7 +51,7 @@ class ConvexObject final : public SolidObject {
     return hit ? inside + hit->t * (outside - inside) : inside;
   }
 
-  CellShadow shadowOn(const Shaft& shaft, Parts&) const override {
+  CellShadow shadowOn(const Shaft& shaft, PartView, Parts&) const override {
     if (shadowOf(bounds_, shaft.cell(), shaft.light()) == BoxShadow::none) return CellShadow::none;
     const auto solid = [&](const glm::dvec3& direction) { return solid_.support(direction); };
     const auto way = [&](const glm::dvec3& direction) { return shaft.support(direction); };
@@ -62,7 +62,7 @@ class ConvexObject final : public SolidObject {
 
   /// A point in light has points above it that the solid does not hide, and the cell, which is a
   /// little larger than what it stands for, has some of these.
-  CellShadow ownShadowOn(const Shaft& shaft, Parts&) const override {
+  CellShadow ownShadowOn(const Shaft& shaft, PartView, PartView, Parts&) const override {
     const bool facesAway = flatSurfaceFacesAway(solid_, shaft.cell(), shaft.light());
     return facesAway || hidesCorners(shaft) ? CellShadow::all : CellShadow::unknown;
   }
@@ -87,11 +87,11 @@ class TorusObject final : public SolidObject {
 
   bool castsOnItself() const override { return true; }
 
-  bool surfaceReaches(const AxisBox& cell, Parts&) const override {
+  bool surfaceReaches(const AxisBox& cell, PartView, Parts&) const override {
     return std::abs(shadow_.distance(cell.center())) <= radiusOf(cell);
   }
 
-  glm::dvec3 surfacePoint(const AxisBox& cell, const Parts&) const override {
+  glm::dvec3 surfacePoint(const AxisBox& cell, PartView) const override {
     Search search{cell, shadow_.nearestSurfacePoint(cell.center()),
                   std::numeric_limits<double>::infinity()};
     constexpr int divisions = 4;
@@ -99,11 +99,11 @@ class TorusObject final : public SolidObject {
     return search.best;
   }
 
-  CellShadow shadowOn(const Shaft& shaft, Parts&) const override {
+  CellShadow shadowOn(const Shaft& shaft, PartView, Parts&) const override {
     if (shadowOf(bounds_, shaft.cell(), shaft.light()) == BoxShadow::none) return CellShadow::none;
     return shadow_.on(shaft, false);
   }
-  CellShadow ownShadowOn(const Shaft& shaft, Parts&) const override {
+  CellShadow ownShadowOn(const Shaft& shaft, PartView, PartView, Parts&) const override {
     return shadow_.on(shaft, true);
   }
 

@@ -2,8 +2,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/parallel.h"
-
 namespace haarlight {
 
 bool blocksLight(const Solid& solid, const glm::dvec3& point, const ShadowLight& light,
@@ -17,13 +15,10 @@ bool blocksLight(const Solid& solid, const glm::dvec3& point, const ShadowLight&
   return solid.blocks(ray);
 }
 
-void SolidOcclusion::answer(std::span<const OcclusionRay> rays,
-                            std::span<std::uint8_t> blocked) const {
-  constexpr std::size_t grain = 256;
-  parallelFor(rays.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      blocked[i] = blocksLight(solids_[rays[i].caster], rays[i].from, light_, rays[i].leavesCaster);
-  });
+void SolidOcclusion::answerHere(std::span<const OcclusionRay> rays,
+                                std::span<std::uint8_t> blocked) const {
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    blocked[i] = blocksLight(solids_[rays[i].caster], rays[i].from, light_, rays[i].leavesCaster);
 }
 
 }  // namespace haarlight

@@ -20,7 +20,8 @@ class SolidOcclusion final : public OcclusionQuery {
   SolidOcclusion(std::span<const Solid> solids, const ShadowLight& light)
       : solids_(solids), light_(light) {}
 
-  void answer(std::span<const OcclusionRay> rays, std::span<std::uint8_t> blocked) const override;
+  void answerHere(std::span<const OcclusionRay> rays,
+                  std::span<std::uint8_t> blocked) const override;
 
  private:
   std::span<const Solid> solids_;

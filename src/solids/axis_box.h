@@ -26,6 +26,18 @@ struct AxisBox {
     return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
   }
 
+  /// Whether they have a point in common.
+  friend bool overlap(const AxisBox& a, const AxisBox& b) {
+    return glm::all(glm::lessThanEqual(a.lower, b.upper)) &&
+           glm::all(glm::lessThanEqual(b.lower, a.upper));
+  }
+
+  /// Whether all of the first box lies in the second.
+  friend bool liesWithin(const AxisBox& inner, const AxisBox& outer) {
+    return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) &&
+           glm::all(glm::lessThanEqual(inner.upper, outer.upper));
+  }
+
   bool operator==(const AxisBox&) const = default;
 };
 

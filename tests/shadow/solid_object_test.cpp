@@ -71,7 +71,7 @@ TEST_CASE("what is said of a cell's shadow holds for all of its points") {
       const AxisBox cell = randomCell(2, random);
       Parts parts;
       const auto object = makeShadowObject(solid);
-      const CellShadow shadow = object->shadowOn(Shaft(cell, light, object->bounds()), parts);
+      const CellShadow shadow = object->shadowOn(Shaft(cell, light, object->bounds()), {}, parts);
       int blocked = 0;
       constexpr int points = 40;
       for (int k = 0; k < points; ++k)
@@ -101,7 +101,8 @@ TEST_CASE("what is said of a cell's own shadow holds for the surface in it") {
       const AxisBox cell = randomCell(1, random);
       Parts parts;
       const auto object = makeShadowObject(solid);
-      const CellShadow shadow = object->ownShadowOn(Shaft(cell, light, object->bounds()), parts);
+      const CellShadow shadow =
+          object->ownShadowOn(Shaft(cell, light, object->bounds()), {}, {}, parts);
       CAPTURE(kind);
       for (const auto& [position, normal] : surfaceIn(cell, solid, random)) {
         none += shadow == CellShadow::none, all += shadow == CellShadow::all;
@@ -128,7 +129,7 @@ TEST_CASE("cells that the surface does not reach are dropped, and only these") {
       Parts parts;
       const auto surface = surfaceIn(cell, solid, random);
       CAPTURE(kind);
-      if (!object->surfaceReaches(cell, parts)) {
+      if (!object->surfaceReaches(cell, {}, parts)) {
         REQUIRE(surface.empty());
         ++dropped;
         continue;
