@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "base/parallel.h"
 
@@ -41,7 +42,8 @@ class ClassicVolume::Raster {
   void addRow(int y, const PixelView& view, std::span<const double> depths,
               std::span<std::int32_t> counts, double nearer) const {
     if (y < first.y || y > last.y) return;
-    for (int x = first.x; x <= last.x; ++x) {
+    const auto [from, to] = span(y);
+    for (int x = from; x <= to; ++x) {
       const glm::dvec3 pixel(x, y, 1);
       if (!covers(pixel)) continue;
       const std::size_t i = std::size_t(y) * std::size_t(view.width) + std::size_t(x);
@@ -56,6 +58,17 @@ class ClassicVolume::Raster {
       const double side = glm::dot(edge, pixel);
       return side > 0 || (side == 0 && (edge.x > 0 || (edge.x == 0 && edge.y > 0)));
     });
+  }
+
+  /// The pixels of a row that it may cover, and perhaps one more on either side.
+  std::pair<int, int> span(int y) const {
+    double from = first.x, to = last.x;
+    for (const glm::dvec3& edge : edges) {
+      const double place = -(edge.y * y + edge.z) / edge.x;
+      if (edge.x > 0) from = std::max(from, std::floor(place));
+      if (edge.x < 0) to = std::min(to, std::ceil(place));
+    }
+    return {int(from), int(to)};
   }
 
   /// The pixels around it: around its corners if all are in front of the eye, else around where it

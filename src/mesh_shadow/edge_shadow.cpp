@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "shadow/box_shadow.h"
-
 namespace haarlight {
 
 namespace {
@@ -28,78 +26,90 @@ std::array<glm::dvec3, 3> normalsAcross(const glm::dvec3& way) {
 
 }  // namespace
 
-/// A cell relative to the edge's origin.
-struct EdgeShadow::Cell {
-  glm::dvec3 middle, half;
-  double length;         ///< of its way to a directional light
-  double margin;         ///< of the edge
-  double magnification;  ///< how much larger than at the edge a step is at the cell, at most
+ShaftView::ShaftView(const Shaft& shaft, double edgeMargin)
+    : origin(0), half(0.5 * (shaft.cell().upper - shaft.cell().lower)), margin(edgeMargin) {
+  if (const auto* point = std::get_if<PointLight>(&shaft.light())) {
+    origin = point->position;
+    furthest = shaft.length() + shaft.radiusAt(0);
+  } else {
+    way = shaft.length() * shaft.towards();
+  }
+  middle = shaft.center() - origin;
+}
 
-  double reach(const glm::dvec3& normal) const { return glm::dot(half, glm::abs(normal)); }
+/// An edge relative to the origin, for which planes are looked for.
+class EdgeShadow::Planes {
+ public:
+  Planes(const glm::dvec3& a, const glm::dvec3& b, const ShadowLight& light) : a_(a), b_(b) {
+    if (const auto* point = std::get_if<PointLight>(&light)) {
+      a_ -= point->position, b_ -= point->position;
+      isPoint_ = true;
+    } else {
+      towards_ = std::get<DirectionalLight>(light).towards;
+    }
+  }
+
+  glm::dvec3 along() const { return b_ - a_; }
+  glm::dvec3 wayThroughA() const { return isPoint_ ? a_ : towards_; }
+  glm::dvec3 wayThroughB() const { return isPoint_ ? b_ : towards_; }
+  double lightDistance() const { return isPoint_ ? distanceFromOrigin(a_, b_) : infinity; }
+
+  LightPlane lightPlane(const glm::dvec3& normal) const {
+    const double atA = glm::dot(normal, a_), atB = glm::dot(normal, b_);
+    const auto [low, high] = std::minmax({atA, atB, isPoint_ ? 0 : atA});
+    return {normal, glm::length(normal), low, high};
+  }
+
+  EdgePlane edgePlane(const glm::dvec3& normal) const {
+    const double slope = isPoint_ ? -glm::dot(normal, a_ + b_) : glm::dot(normal, towards_);
+    const glm::dvec3 upwards = slope < 0 ? -normal : normal;
+    const double edge = std::max(glm::dot(upwards, a_), glm::dot(upwards, b_));
+    const double light = isPoint_ ? -edge : slope == 0 ? 0 : infinity;
+    return {upwards, glm::length(normal), edge, light};
+  }
+
+ private:
+  glm::dvec3 a_, b_, towards_{0};
+  bool isPoint_ = false;
 };
 
-EdgeShadow::EdgeShadow(const glm::dvec3& a, const glm::dvec3& b, const ShadowLight& light)
-    : bounds_{glm::min(a, b), glm::max(a, b)}, origin_(a), towards_(0) {
-  const auto* point = std::get_if<PointLight>(&light);
-  if (point)
-    origin_ = point->position;
-  else
-    towards_ = glm::normalize(std::get<DirectionalLight>(light).towards);
-  a_ = a - origin_, b_ = b - origin_;
-  distance_ = distanceFromOrigin(a_, b_);
-  const glm::dvec3 wayA = point ? a_ : towards_, wayB = point ? b_ : towards_;
-  along_ = lightPlane(glm::cross(b_ - a_, wayA));
+EdgeShadow::EdgeShadow(const glm::dvec3& a, const glm::dvec3& b, const ShadowLight& light) {
+  const Planes planes(a, b, light);
+  distance_ = planes.lightDistance();
+  along_ = planes.lightPlane(glm::cross(planes.along(), planes.wayThroughA()));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    ends_[axis] = lightPlane(normalsAcross(wayA)[axis]);
-    ends_[axis + 3] = lightPlane(normalsAcross(wayB)[axis]);
-    edges_[axis] = edgePlane(normalsAcross(b_ - a_)[axis]);
+    ends_[axis] = planes.lightPlane(normalsAcross(planes.wayThroughA())[axis]);
+    ends_[axis + 3] = planes.lightPlane(normalsAcross(planes.wayThroughB())[axis]);
+    glm::dvec3 unit(0);
+    unit[axis] = 1;
+    beyond_[axis] = planes.edgePlane(unit);
+    beyond_[axis + 3] = planes.edgePlane(normalsAcross(planes.along())[axis]);
   }
 }
 
-EdgeShadow::LightPlane EdgeShadow::lightPlane(const glm::dvec3& normal) const {
-  const auto [low, high] = std::minmax({0.0, glm::dot(normal, a_), glm::dot(normal, b_)});
-  return {normal, glm::length(normal), low, high};
-}
-
-EdgeShadow::EdgePlane EdgeShadow::edgePlane(const glm::dvec3& normal) const {
-  const double edge = glm::dot(normal, a_), slope = glm::dot(normal, towards_);
-  const bool isPoint = towards_ == glm::dvec3(0);
-  const double towardsLight = isPoint ? -edge : slope;
-  const double sign = towardsLight < 0 ? -1 : 1;
-  const bool isLevel = towardsLight == 0;
-  const double light = isPoint || isLevel ? std::abs(towardsLight) : infinity;
-  return {sign * normal, glm::length(normal), sign * edge, light};
-}
-
 /// A step from the edge, seen from a point light, is larger at the cell.
-bool EdgeShadow::isApart(const Cell& cell, const LightPlane& plane) const {
-  const double middle = glm::dot(plane.normal, cell.middle), reach = cell.reach(plane.normal);
-  const double way = cell.length * glm::dot(plane.normal, towards_);
-  const double margin = cell.margin * plane.length;
-  return middle - reach + std::min(way, 0.0) > cell.magnification * (plane.high + margin) ||
-         middle + reach + std::max(way, 0.0) < cell.magnification * (plane.low - margin);
+bool EdgeShadow::LightPlane::keepsApart(const ShaftView& shaft, double magnification) const {
+  const double middle = glm::dot(normal, shaft.middle), reach = shaft.reach(normal);
+  const double way = glm::dot(normal, shaft.way), margin = shaft.margin * length;
+  return middle - reach + std::min(way, 0.0) > magnification * (high + margin) ||
+         middle + reach + std::max(way, 0.0) < magnification * (low - margin);
 }
 
-bool EdgeShadow::isApart(const Cell& cell, const EdgePlane& plane) const {
-  const double margin = cell.margin * plane.length;
-  return plane.light > margin &&
-         glm::dot(plane.normal, cell.middle) - cell.reach(plane.normal) > plane.edge + margin;
+bool EdgeShadow::EdgePlane::keepsApart(const ShaftView& shaft) const {
+  const double margin = shaft.margin * length;
+  return light > margin && glm::dot(normal, shaft.middle) - shaft.reach(normal) > edge + margin;
 }
 
-bool EdgeShadow::mayReach(const Shaft& shaft, double margin) const {
-  const bool isPoint = std::holds_alternative<PointLight>(shaft.light());
-  if (isPoint && distance_ <= margin) return true;
-  const AxisBox& box = shaft.cell();
-  Cell cell{box.center() - origin_, 0.5 * (box.upper - box.lower), 0, margin, 1};
-  if (isPoint)
-    cell.magnification = (shaft.length() + shaft.radiusAt(0)) / (distance_ - margin);
-  else
-    cell.length = shaft.length();
-  if (isApart(cell, along_)) return false;
-  const AxisBox around{bounds_.lower - margin, bounds_.upper + margin};
-  if (shadowOf(around, box, shaft.light()) == BoxShadow::none) return false;
-  const auto keepsApart = [&](const auto& plane) { return isApart(cell, plane); };
-  return std::ranges::none_of(ends_, keepsApart) && std::ranges::none_of(edges_, keepsApart);
+bool EdgeShadow::mayReach(const ShaftView& shaft) const {
+  if (distance_ <= shaft.margin) return true;
+  const double magnification =
+      distance_ < infinity ? shaft.furthest / (distance_ - shaft.margin) : 1;
+  if (along_.keepsApart(shaft, magnification)) return false;
+  for (const EdgePlane& plane : beyond_)
+    if (plane.keepsApart(shaft)) return false;
+  for (const LightPlane& plane : ends_)
+    if (plane.keepsApart(shaft, magnification)) return false;
+  return true;
 }
 
 }  // namespace haarlight

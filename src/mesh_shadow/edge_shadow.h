@@ -1,54 +1,64 @@
 #pragma once
 
 #include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "shadow/shadow_light.h"
 #include "shadow/shaft.h"
-#include "solids/axis_box.h"
 
 namespace haarlight {
 
+/// A shaft and its cell as edges look at them.
+struct ShaftView {
+  glm::dvec3 origin;        ///< a point light's place, else 0
+  glm::dvec3 middle, half;  ///< of the cell, from the origin
+  glm::dvec3 way{0};        ///< from the cell to where a directional light's shaft ends
+  double furthest = 0;      ///< from a point light to the cell, at most
+  double margin = 0;        ///< how far from the edge points count
+
+  /// The margin is larger than rounding.
+  ShaftView(const Shaft& shaft, double margin);
+
+  double reach(const glm::dvec3& normal) const { return glm::dot(half, glm::abs(normal)); }
+};
+
 /// The shadow of an edge: all points that have one of its points on their way to the light. A piece
 /// of a plane through the light, which begins at the edge and has no end.
-class EdgeShadow {
+class alignas(64) EdgeShadow {
  public:
   EdgeShadow(const glm::dvec3& a, const glm::dvec3& b, const ShadowLight& light);
 
-  /// False only if no point within `margin` of the edge lies in the shaft: if a plane parallel to
-  /// the light's rays keeps the cell apart from the edge's shadow, or one through the edge, or if
-  /// the boxes around cell and edge do. The light must be the one that was given. The margin is
-  /// larger than rounding.
-  bool mayReach(const Shaft& shaft, double margin) const;
+  /// False only if no point within the margin of the edge lies in the shaft: if a plane parallel to
+  /// the light's rays keeps the cell apart from the edge's shadow, or one that has the edge on the
+  /// side away from cell and light. The light must be the one that was given.
+  bool mayReach(const ShaftView& shaft) const;
 
  private:
-  /// Across the way of light through a point of the edge, so that the light lies in it: both ends
-  /// of the edge are between `low` and `high`, and so is the light.
+  /// Parallel to light's rays: both ends of the edge are between `low` and `high` along the normal,
+  /// and so is a point light.
   struct LightPlane {
     glm::dvec3 normal{0};
     double length = 0, low = 0, high = 0;
+
+    bool keepsApart(const ShaftView& shaft, double magnification) const;
   };
-  /// Through the edge; the light is on the positive side.
+  /// The edge does not go above it.
   struct EdgePlane {
     glm::dvec3 normal{0};
     double length = 0, edge = 0;
-    double light = 0;  ///< how far above the edge; of a directional light, infinity
+    double light = 0;  ///< how far above it the light is; infinitely, if it has no place
+
+    bool keepsApart(const ShaftView& shaft) const;
   };
-  struct Cell;
 
-  LightPlane lightPlane(const glm::dvec3& normal) const;
-  EdgePlane edgePlane(const glm::dvec3& normal) const;
-  bool isApart(const Cell& cell, const LightPlane& plane) const;
-  bool isApart(const Cell& cell, const EdgePlane& plane) const;
+  class Planes;
 
-  AxisBox bounds_;
-  glm::dvec3 origin_;    ///< a point light's place, else one end of the edge
-  glm::dvec3 towards_;   ///< a directional light's direction, a unit vector, else zero
-  double distance_ = 0;  ///< of a point light from the edge
-  glm::dvec3 a_, b_;     ///< from the origin
-  LightPlane along_;     ///< the plane in which the shadow lies
-  std::array<LightPlane, 6> ends_;
-  std::array<EdgePlane, 3> edges_;
+  LightPlane along_;                 ///< the plane in which the shadow lies; tells most shafts
+  double distance_;                  ///< of a point light from the edge; else infinity
+  std::array<EdgePlane, 6> beyond_;  ///< across the axes, and through the edge
+  std::array<LightPlane, 6> ends_;   ///< through the ends of the edge
 };
 
 }  // namespace haarlight

@@ -70,7 +70,7 @@ void EmbreeOcclusion::answerHere(std::span<const OcclusionRay> rays,
   std::vector<std::uint32_t> order(rays.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto casterOf = [&](std::uint32_t i) { return rays[i].caster; };
-  std::ranges::stable_sort(order, {}, casterOf);
+  if (!std::ranges::is_sorted(order, {}, casterOf)) std::ranges::stable_sort(order, {}, casterOf);
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     const std::uint32_t caster = casterOf(order[begin]);
     while (end < order.size() && casterOf(order[end]) == caster) ++end;

@@ -46,7 +46,7 @@ class MeshObject final : public ShadowObject {
     const std::size_t before = kept.size();
     const AxisBox around = grown(cell, margin_);
     for (const std::uint32_t triangle : triangles)
-      if (triangles_[triangle].meets(around)) kept.push_back(triangle);
+      if (triangles_[triangle].mayMeet(around)) kept.push_back(triangle);
     return kept.size() > before;
   }
 
@@ -60,6 +60,10 @@ class MeshObject final : public ShadowObject {
 
   void addOwnStarts(const AxisBox& cell, PartView triangles,
                     std::vector<glm::dvec3>& starts) const override {
+    if (triangles.size() == 1) {
+      starts.push_back(ownStart(cell, triangles));
+      return;
+    }
     const std::size_t before = starts.size();
     std::vector<std::uint8_t> isFound(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -80,9 +84,10 @@ class MeshObject final : public ShadowObject {
     const std::size_t before = kept.size();
     const double margin = singlePrecisionMargin(united(bounds(), shaft.cell()));
     const AxisBox cell = grown(shaft.cell(), margin);
+    const ShaftView view(shaft, margin + shaft.margin());
     for (const std::uint32_t part : parts)
-      if (isEdge(part) ? silhouette_[part].mayReach(shaft, margin + shaft.margin())
-                       : triangles_[part - silhouette_.size()].meets(cell))
+      if (isEdge(part) ? silhouette_[part].mayReach(view)
+                       : triangles_[part - silhouette_.size()].mayMeet(cell))
         kept.push_back(part);
     return kept.size() == before ? CellShadow::uniform : CellShadow::unknown;
   }
@@ -94,8 +99,9 @@ class MeshObject final : public ShadowObject {
                          Parts& kept) const override {
     if (mesh_.holdsLight() || areHidden(surface)) return CellShadow::all;
     const std::size_t before = kept.size();
+    const ShaftView view(shaft, margin_ + shaft.margin());
     for (const std::uint32_t edge : parts)
-      if (silhouette_[edge].mayReach(shaft, margin_ + shaft.margin())) kept.push_back(edge);
+      if (silhouette_[edge].mayReach(view)) kept.push_back(edge);
     return kept.size() == before && areSheets(surface) ? CellShadow::uniform : CellShadow::unknown;
   }
 

@@ -27,6 +27,17 @@ bool isSeparatedAcross(const glm::dvec3& edge, const glm::dvec3& end, const glm:
                    half.x * size.y + half.y * size.x);
 }
 
+/// Where the perpendicular from a point meets a triangle.
+std::optional<glm::dvec3> pointBelow(const glm::dvec3& point, const TriangleCorners& triangle) {
+  const glm::dvec3 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0];
+  const glm::dvec3 normal = glm::cross(ab, ac), way = point - triangle[0];
+  const double squared = glm::dot(normal, normal);
+  const double v = glm::dot(glm::cross(way, ac), normal);
+  const double w = glm::dot(glm::cross(ab, way), normal);
+  if (!(v >= 0 && w >= 0 && v + w <= squared) || squared == 0) return std::nullopt;
+  return triangle[0] + v / squared * ab + w / squared * ac;
+}
+
 /// What planes cut out of a triangle.
 class CutTriangle {
  public:
@@ -83,13 +94,18 @@ bool segmentMeetsBox(const glm::dvec3& a, const glm::dvec3& b, const AxisBox& bo
 }
 
 BoxedTriangle::BoxedTriangle(const TriangleCorners& triangle)
-    : corners(triangle),
-      bounds{glm::min(glm::min(triangle[0], triangle[1]), triangle[2]),
-             glm::max(glm::max(triangle[0], triangle[1]), triangle[2])} {}
+    : bounds{glm::min(glm::min(triangle[0], triangle[1]), triangle[2]),
+             glm::max(glm::max(triangle[0], triangle[1]), triangle[2])},
+      corners(triangle) {
+  const glm::dvec3 extent = bounds.upper - bounds.lower;
+  size = std::max({extent.x, extent.y, extent.z});
+}
 
 std::optional<glm::dvec3> pointInBoth(const TriangleCorners& triangle, const AxisBox& box) {
   const glm::dvec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
   if (box.contains(middle)) return middle;
+  if (const auto point = pointBelow(box.center(), triangle))
+    if (box.contains(*point)) return point;
   CutTriangle rest(triangle);
   for (int axis = 0; axis < 3; ++axis) {
     rest.cut(axis, 1, box.upper[axis]);

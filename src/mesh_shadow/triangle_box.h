@@ -18,20 +18,25 @@ bool triangleMeetsBox(const TriangleCorners& triangle, const AxisBox& box);
 bool segmentMeetsBox(const glm::dvec3& a, const glm::dvec3& b, const AxisBox& box);
 
 /// A triangle with its own box, by which most other boxes are told.
-struct BoxedTriangle {
-  TriangleCorners corners;
+struct alignas(64) BoxedTriangle {
   AxisBox bounds;
+  double size;  ///< the longest edge of the box
+  TriangleCorners corners;
 
   explicit BoxedTriangle(const TriangleCorners& triangle);
 
-  /// The same as triangleMeetsBox.
-  bool meets(const AxisBox& box) const {
-    return overlap(bounds, box) && (liesWithin(bounds, box) || triangleMeetsBox(corners, box));
+  /// False only if they have no point in common. Of boxes much larger than the triangle, only the
+  /// triangle's own is looked at.
+  bool mayMeet(const AxisBox& box) const {
+    constexpr double muchLarger = 3;
+    return overlap(bounds, box) && (muchLarger * size < box.upper.x - box.lower.x ||
+                                    liesWithin(bounds, box) || triangleMeetsBox(corners, box));
   }
 };
 
-/// A point of a triangle that lies in a box too: the triangle's middle, or else the mean of the
-/// corners of what the box cuts out of it. Nothing when they have no point in common.
+/// A point of a triangle that lies in a box too: the triangle's middle, the point below the box's
+/// middle, or else the mean of the corners of what the box cuts out of the triangle. Nothing when
+/// they have no point in common.
 std::optional<glm::dvec3> pointInBoth(const TriangleCorners& triangle, const AxisBox& box);
 
 }  // namespace haarlight

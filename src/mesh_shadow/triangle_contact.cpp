@@ -9,19 +9,25 @@ namespace haarlight {
 
 namespace {
 
-/// A triangle of a pair, from a corner of the first.
+/// A triangle of a pair, from a corner of the first; the one that they share, if they do.
 struct Side {
   std::array<glm::dvec3, 3> corners;
   std::array<bool, 3> isShared;
 
-  Side(const NumberedTriangle& own, const NumberedTriangle& other, const glm::dvec3& origin) {
+  Side(const NumberedTriangle& own, const NumberedTriangle& other) {
+    const VertexTriple& n = other.numbers;
     for (int i = 0; i < 3; ++i) {
-      corners[i] = own.corners[i] - origin;
-      isShared[i] = std::ranges::find(other.numbers, own.numbers[i]) != other.numbers.end();
+      const std::uint32_t number = own.numbers[i];
+      isShared[i] = bool(int(number == n[0]) | int(number == n[1]) | int(number == n[2]));
     }
   }
 
+  void putAt(const TriangleCorners& places, const glm::dvec3& origin) {
+    for (int i = 0; i < 3; ++i) corners[i] = places[i] - origin;
+  }
+
   int sharedCount() const { return isShared[0] + isShared[1] + isShared[2]; }
+  int oneShared() const { return isShared[1] ? 1 : isShared[2] ? 2 : 0; }
   glm::dvec3 edge(int i) const { return corners[(i + 1) % 3] - corners[i]; }
   glm::dvec3 normal() const { return glm::cross(edge(0), edge(1)); }
 
@@ -41,18 +47,12 @@ struct Rounding {
       : ofTwo(1e-14 * size * size), ofThree(ofTwo * size), ofFour(ofThree * size) {}
 };
 
-/// By a plane through the only corner that they share, on whose sides their other corners lie: one
-/// across the way from the middle of these of the one to that of the other.
+/// By a plane through the only corner that they share, the origin, on whose sides their other
+/// corners lie: one across the way from the middle of these of the one to that of the other.
 bool isSeparatedAtCorner(const Side& one, const Side& other, const Rounding& rounding) {
-  glm::dvec3 corner(0), across(0);
-  for (int i = 0; i < 3; ++i) {
-    if (one.isShared[i]) corner = one.corners[i];
-    if (!one.isShared[i]) across += one.corners[i];
-    if (!other.isShared[i]) across -= other.corners[i];
-  }
-  const double place = glm::dot(across, corner);
-  return one.isBeyond(across, place + rounding.ofTwo) &&
-         other.isBeyond(-across, rounding.ofTwo - place);
+  glm::dvec3 across(0);
+  for (int i = 0; i < 3; ++i) across += one.corners[i] - other.corners[i];
+  return one.isBeyond(across, rounding.ofTwo) && other.isBeyond(-across, rounding.ofTwo);
 }
 
 /// By the plane of the one, which has no more of the other than what they share.
@@ -111,15 +111,16 @@ bool isSeparatedByEdges(const Side& one, const Side& other, const Rounding& roun
 }  // namespace
 
 bool mayTouchElsewhere(const NumberedTriangle& a, const NumberedTriangle& b) {
-  const glm::dvec3 origin = a.corners[0];
-  const Side one(a, b, origin), other(b, a, origin);
+  Side one(a, b), other(b, a);
   const int shared = one.sharedCount();
   if (shared == 3) return true;
-  double size = 0;
+  const glm::dvec3 origin = a.corners[one.oneShared()];
+  one.putAt(a.corners, origin), other.putAt(b.corners, origin);
+  double squared = 0;
   for (const Side* side : {&one, &other})
     for (const glm::dvec3& corner : side->corners)
-      size = std::max({size, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
-  const Rounding rounding(2 * size);  // differences are at most twice as large
+      squared = std::max(squared, glm::dot(corner, corner));
+  const Rounding rounding(2 * std::sqrt(squared));  // differences are at most twice as large
   if (shared == 1 && isSeparatedAtCorner(one, other, rounding)) return false;
   return !isSeparatedByPlane(one, other, rounding) && !isSeparatedByPlane(other, one, rounding) &&
          !isSeparatedAtEdge(one, other, rounding) && !isSeparatedAtEdge(other, one, rounding) &&

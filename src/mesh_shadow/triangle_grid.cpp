@@ -30,8 +30,7 @@ void TriangleGrid::chooseSize() {
   double sum = 0;
   for (const BoxedTriangle& triangle : triangles_) {
     bounds = united(bounds, triangle.bounds);
-    const glm::dvec3 extent = triangle.bounds.upper - triangle.bounds.lower;
-    sum += std::max({extent.x, extent.y, extent.z});
+    sum += triangle.size;
   }
   if (triangles_.empty() || sum == 0) return;
   lower_ = bounds.lower;

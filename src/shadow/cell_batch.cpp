@@ -6,6 +6,13 @@
 
 namespace haarlight {
 
+void mergeLeaves(std::vector<ShadowLeaf>& leaves, std::size_t place) {
+  if (place == 0 || place == leaves.size()) return;
+  std::inplace_merge(
+      leaves.begin(), leaves.begin() + std::ptrdiff_t(place), leaves.end(),
+      [](const ShadowLeaf& a, const ShadowLeaf& b) { return a.cell.first < b.cell.first; });
+}
+
 AxisBox CellContext::boxOf(const CellCode& cell) const {
   const AxisBox box = cube.box(cell);
   const AxisBox part{glm::max(box.lower, bounds.lower), glm::min(box.upper, bounds.upper)};
@@ -28,6 +35,15 @@ void CellBatch::divide(std::span<const OpenCell> cells, std::span<const CellStor
   for (const OpenCell& cell : cells)
     for (std::uint32_t i = 0; i < 8; ++i) look(cell.code.child(i), cell, stores[cell.store]);
   finish(watch);
+}
+
+void CellBatch::descend() {
+  while (!store_.cells.empty()) {
+    std::swap(store_, parents_);
+    store_.clear();
+    divide(parents_.cells, std::span(&parents_, 1));
+  }
+  parents_ = {};
 }
 
 /// Looks at a cell with what its parent has handed down to it.
@@ -132,18 +148,21 @@ void CellBatch::drawConclusions(OpenCell& cell, std::span<const std::uint8_t>& a
 /// Casts the rays, and makes leaves of what is decided.
 void CellBatch::finish(Stopwatch& watch) {
   counts_.rays += rays_.size();
-  std::vector<std::uint8_t> blocked(rays_.size());
+  blocked_.resize(rays_.size());
   counts_.proofSeconds += watch.lap();
-  if (!rays_.empty()) context_->scene.rays.answerHere(rays_, blocked);
+  if (!rays_.empty()) context_->scene.rays.answerHere(rays_, blocked_);
   counts_.raySeconds += watch.lap();
-  std::span<const std::uint8_t> answers(blocked);
+  const std::size_t before = leaves_.size();
+  std::span<const std::uint8_t> answers(blocked_);
   for (OpenCell& cell : store_.cells) {
     if (!cell.inShadow) drawConclusions(cell, answers);
     if (isLeaf(cell)) makeLeaf(cell);
   }
   std::erase_if(store_.cells, [&](const OpenCell& cell) { return isLeaf(cell); });
-  rays_ = {}, starts_ = {};
+  rays_.clear();
   counts_.proofSeconds += watch.lap();
+  mergeLeaves(leaves_, before);
+  counts_.sortSeconds += watch.lap();
 }
 
 bool CellBatch::isLeaf(const OpenCell& cell) const {

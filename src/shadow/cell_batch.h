@@ -24,6 +24,9 @@ struct CellContext {
   AxisBox boxOf(const CellCode& cell) const;
 };
 
+/// Merges the leaves from a place on with those before it; both are sorted.
+void mergeLeaves(std::vector<ShadowLeaf>& leaves, std::size_t place);
+
 /// Cells of one level that one thread looks at: what can be proved of them is, then their rays are
 /// answered together.
 class CellBatch {
@@ -34,8 +37,11 @@ class CellBatch {
   void lookAtRoot(const OpenCell& everything, const CellStore& store);
   /// Looks at the children of cells, in their order, each of which has its runs in one of `stores`.
   void divide(std::span<const OpenCell> cells, std::span<const CellStore> stores);
+  /// Divides those that are to be divided, until none is.
+  void descend();
 
   const OctreeCounts& counts() const { return counts_; }
+  /// Sorted by their codes.
   const std::vector<ShadowLeaf>& leaves() const { return leaves_; }
   /// The cells that are to be divided.
   CellStore& store() { return store_; }
@@ -56,9 +62,10 @@ class CellBatch {
   void makeLeaf(const OpenCell& cell);
 
   const CellContext* context_;
-  CellStore store_;
+  CellStore store_, parents_;
   std::vector<ShadowLeaf> leaves_;
   std::vector<OcclusionRay> rays_;
+  std::vector<std::uint8_t> blocked_;  ///< their answers
   std::vector<glm::dvec3> starts_;
   OctreeCounts counts_;
 };

@@ -8,18 +8,22 @@ namespace haarlight {
 /// The deepest cells of an octree: 1024³.
 inline constexpr int deepestCell = 10;
 
-/// Bits 0, 1, … of a number become bits 0, 3, …
+/// Bits 0, 1, … of a number below 1024 become bits 0, 3, …
 constexpr std::uint32_t spreadBits(std::uint32_t bits) {
-  std::uint32_t result = 0;
-  for (int i = 0; i < deepestCell; ++i) result |= (bits >> i & 1) << 3 * i;
-  return result;
+  // Halves move apart, then their halves.
+  bits = (bits | bits << 16) & 0x030000ff;
+  bits = (bits | bits << 8) & 0x0300f00f;
+  bits = (bits | bits << 4) & 0x030c30c3;
+  return (bits | bits << 2) & 0x09249249;
 }
 
 /// The inverse of spreadBits; what lies between the bits is left out.
 constexpr std::uint32_t gatherBits(std::uint32_t spread) {
-  std::uint32_t result = 0;
-  for (int i = 0; i < deepestCell; ++i) result |= (spread >> 3 * i & 1) << i;
-  return result;
+  spread &= 0x09249249;
+  spread = (spread | spread >> 2) & 0x030c30c3;
+  spread = (spread | spread >> 4) & 0x0300f00f;
+  spread = (spread | spread >> 8) & 0x030000ff;
+  return (spread | spread >> 16) & 0x000003ff;
 }
 
 /// A cell of an octree by its depth and its Morton code: the number of the first (lowest) of the

@@ -17,7 +17,7 @@ namespace {
 /// rounding cannot put a point of the surface beside its cell.
 constexpr double relativeGrowth = 1e-6;
 
-/// Builds an octree level by level.
+/// Builds an octree, first level by level.
 class Refinement {
  public:
   Refinement(const ShadowScene& scene, std::uint32_t receiver, const OctreeDepths& depths,
@@ -43,7 +43,7 @@ class Refinement {
     const OpenCell everything = root(casters, store);
     std::vector<CellBatch> batches(1, CellBatch(context_));
     batches[0].lookAtRoot(everything, store);
-    take(std::move(batches), watch);
+    take(std::move(batches), watch.lap());
   }
 
   /// All that the root may have; the receiver is the last of the casters.
@@ -68,22 +68,34 @@ class Refinement {
     store.suspects.push_back({caster, runSince(first, store.parts)});
   }
 
-  /// Replaces the cells by those of the next level.
+  /// Replaces the cells by those of the next level. Once there are enough for all threads, each is
+  /// divided to the end by one of them.
   void divide() {
     Stopwatch watch;
-    constexpr std::size_t mostAtOnce = 32, batchesWanted = 64;
-    const std::size_t grain = std::clamp<std::size_t>(cells_.size() / batchesWanted, 1, mostAtOnce);
+    constexpr std::size_t enough = 100, mostBatches = 400;
+    const bool toTheEnd = cells_.size() >= enough;
+    const std::size_t grain =
+        toTheEnd || isHeavy() ? 1 + cells_.size() / mostBatches : cells_.size();
     std::vector<CellBatch> batches((cells_.size() + grain - 1) / grain, CellBatch(context_));
     parallelFor(cells_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      batches[begin / grain].divide(std::span(cells_).subspan(begin, end - begin), stores_);
+      CellBatch& batch = batches[begin / grain];
+      batch.divide(std::span(cells_).subspan(begin, end - begin), stores_);
+      if (toTheEnd) batch.descend();
     });
-    take(std::move(batches), watch);
+    take(std::move(batches), watch.lap());
   }
 
-  /// Takes what a level's batches have found, in their order, which is that of the codes.
-  void take(std::vector<CellBatch> batches, Stopwatch& watch) {
+  /// Whether threads take less time than starting them does.
+  bool isHeavy() const {
+    std::size_t parts = 0;
+    for (const CellStore& store : stores_) parts += store.surface.size() + store.parts.size();
+    return parts > 4000;
+  }
+
+  /// Takes what batches have found, in their order, which is that of the codes.
+  void take(std::vector<CellBatch> batches, double seconds) {
     cells_.clear(), stores_.clear();
-    const std::size_t merged = leaves_.size();
+    const std::size_t before = leaves_.size();
     OctreeCounts found;
     for (CellBatch& batch : batches) {
       found += batch.counts();
@@ -93,19 +105,17 @@ class Refinement {
       cells_.insert(cells_.end(), batch.store().cells.begin(), batch.store().cells.end());
       stores_.push_back(std::move(batch.store()));
     }
+    count(found, seconds);
     Stopwatch sorting;
-    std::inplace_merge(
-        leaves_.begin(), leaves_.begin() + std::ptrdiff_t(merged), leaves_.end(),
-        [](const ShadowLeaf& a, const ShadowLeaf& b) { return a.cell.first < b.cell.first; });
-    found.sortSeconds = sorting.lap();
-    count(found, watch.lap() - found.sortSeconds);
+    mergeLeaves(leaves_, before);
+    counts_.sortSeconds += sorting.lap();
   }
 
   /// Threads measure their own time; what passed is divided as that is.
   void count(OctreeCounts& found, double seconds) {
-    const double ofThreads = found.proofSeconds + found.raySeconds;
-    const double rayShare = ofThreads > 0 ? found.raySeconds / ofThreads : 0;
-    found.proofSeconds = (1 - rayShare) * seconds, found.raySeconds = rayShare * seconds;
+    const double ofThreads = found.proofSeconds + found.raySeconds + found.sortSeconds;
+    const double share = ofThreads > 0 ? seconds / ofThreads : 0;
+    found.proofSeconds *= share, found.raySeconds *= share, found.sortSeconds *= share;
     counts_ += found;
   }
 

@@ -52,6 +52,8 @@ struct CellStore {
   Parts surface, parts;  ///< of cells, and of suspects
   std::vector<Suspect> suspects;
   std::vector<OpenCell> cells;
+
+  void clear() { surface.clear(), parts.clear(), suspects.clear(), cells.clear(); }
 };
 
 }  // namespace haarlight

@@ -53,8 +53,10 @@ int OctreeCube::depthForDetail(double detail) const {
 
 ShadowOctree::ShadowOctree(const OctreeCube& cube, std::vector<ShadowLeaf> leaves)
     : cube_(cube), leaves_(std::move(leaves)) {
-  std::sort(leaves_.begin(), leaves_.end(),
-            [](const ShadowLeaf& a, const ShadowLeaf& b) { return isBefore(a.cell.first, b); });
+  const auto areInOrder = [](const ShadowLeaf& a, const ShadowLeaf& b) {
+    return isBefore(a.cell.first, b);
+  };
+  if (!std::ranges::is_sorted(leaves_, areInOrder)) std::ranges::sort(leaves_, areInOrder);
 }
 
 std::optional<ShadowLeaf> ShadowOctree::leafAt(const glm::dvec3& point) const {

@@ -26,16 +26,20 @@ struct AxisBox {
     return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
   }
 
+  // Without branches, as what comes of them cannot be foretold.
+
   /// Whether they have a point in common.
   friend bool overlap(const AxisBox& a, const AxisBox& b) {
-    return glm::all(glm::lessThanEqual(a.lower, b.upper)) &&
-           glm::all(glm::lessThanEqual(b.lower, a.upper));
+    return bool(int(a.lower.x <= b.upper.x) & int(a.lower.y <= b.upper.y) &
+                int(a.lower.z <= b.upper.z) & int(b.lower.x <= a.upper.x) &
+                int(b.lower.y <= a.upper.y) & int(b.lower.z <= a.upper.z));
   }
 
   /// Whether all of the first box lies in the second.
   friend bool liesWithin(const AxisBox& inner, const AxisBox& outer) {
-    return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) &&
-           glm::all(glm::lessThanEqual(inner.upper, outer.upper));
+    return bool(int(outer.lower.x <= inner.lower.x) & int(outer.lower.y <= inner.lower.y) &
+                int(outer.lower.z <= inner.lower.z) & int(inner.upper.x <= outer.upper.x) &
+                int(inner.upper.y <= outer.upper.y) & int(inner.upper.z <= outer.upper.z));
   }
 
   bool operator==(const AxisBox&) const = default;

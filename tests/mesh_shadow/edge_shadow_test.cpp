@@ -56,7 +56,7 @@ TEST_CASE("an edge's shadow that is said to miss a cell does, with the margin") 
       const Case test = randomCase(random);
       const Shaft shaft(test.cell, test.light, scene);
       const EdgeShadow shadow(test.a, test.b, test.light);
-      const bool mayReach = shadow.mayReach(shaft, margin);
+      const bool mayReach = shadow.mayReach({shaft, margin});
       if (!mayReach) REQUIRE(isApart(test, shaft, 0.99 * margin));
       missed += !mayReach;
       apart += isApart(test, shaft, margin);
@@ -68,14 +68,15 @@ TEST_CASE("an edge's shadow that is said to miss a cell does, with the margin") 
 }
 
 TEST_CASE("a light on an edge, an edge that is a point, and one that points to the light") {
-  const PointLight lamp{{0, 2, 0}};
+  const glm::dvec3 place(0, 2, 0);
+  const ShadowLight lamp = PointLight{place};
   const AxisBox scene{glm::dvec3(-3), glm::dvec3(3)}, cell{{1, 0, 1}, {1.5, 0.5, 1.5}};
   const Shaft shaft(cell, lamp, scene);
-  CHECK(EdgeShadow({-1, 2, 0}, {1, 2, 0}, lamp).mayReach(shaft, 1e-9));
-  CHECK(EdgeShadow({0, 2, 0}, {0, 2, 0}, lamp).mayReach(shaft, 1e-9));
+  CHECK(EdgeShadow({-1, 2, 0}, {1, 2, 0}, lamp).mayReach({shaft, 1e-9}));
+  CHECK(EdgeShadow({0, 2, 0}, {0, 2, 0}, lamp).mayReach({shaft, 1e-9}));
   const glm::dvec3 between(0.625, 1.125, 0.625);  // half way from the cell's middle to the lamp
-  CHECK(EdgeShadow(between, between, lamp).mayReach(shaft, 1e-9));
-  CHECK(EdgeShadow(between, 0.5 * (between + lamp.position), lamp).mayReach(shaft, 1e-9));
-  CHECK_FALSE(EdgeShadow(-between, -between, lamp).mayReach(shaft, 1e-9));
-  CHECK_FALSE(EdgeShadow({0, 1, 0}, {0, 0, 0}, lamp).mayReach(shaft, 1e-9));
+  CHECK(EdgeShadow(between, between, lamp).mayReach({shaft, 1e-9}));
+  CHECK(EdgeShadow(between, 0.5 * (between + place), lamp).mayReach({shaft, 1e-9}));
+  CHECK_FALSE(EdgeShadow(-between, -between, lamp).mayReach({shaft, 1e-9}));
+  CHECK_FALSE(EdgeShadow({0, 1, 0}, {0, 0, 0}, lamp).mayReach({shaft, 1e-9}));
 }
