@@ -72,10 +72,10 @@ TEST_CASE("compare leaves out transfer where there are solids, unless it is aske
   writeFile(folder / "solids.json", R"({"objects": [{"solid": {"sphere": {}}}], "receiver": {},
       "image": {"width": 16, "height": 9, "samplesPerPixel": 1},
       "shading": {"engine": "reference"}})");
+  const auto results = resultsOf({"compare", folder / "solids.json"});
   std::vector<std::string> methods;
-  for (const auto& picture : resultsOf({"compare", folder / "solids.json"}).at("picture"))
-    methods.push_back(picture.at("method"));
+  for (const auto& picture : results.at("picture")) methods.push_back(picture.at("method"));
   CHECK(methods == std::vector<std::string>{"pixel-mesh", "pixel", "haar", "shexp"});
-  checkRefused({"compare", folder / "solids.json", "--method", "sh"},
+  checkRefused({"compare", folder / "solids.json", "--method", "sh", "--quiet"},
                "object 'sphere' is a solid, and transfer is for the vertices of meshes");
 }
