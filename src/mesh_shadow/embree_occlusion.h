@@ -16,7 +16,7 @@ namespace haarlight {
 /// sorted by caster, so that neighbouring cells' rays stay together. A ray starts a little before
 /// its point, so that a mesh that touches the point stands in its way, whatever single precision
 /// does. One that leaves a mesh does not; its point must lie off the surface
-/// (ShadowObject::ownPoints).
+/// (ShadowObject::ownStart).
 class EmbreeOcclusion final : public OcclusionQuery {
  public:
   /// ray.caster counts in `occluders`. Meshes are copied, solids must stay.

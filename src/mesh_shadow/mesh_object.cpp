@@ -124,12 +124,14 @@ class MeshObject final : public ShadowObject {
   bool isEdge(std::uint32_t part) const { return part < silhouette_.size(); }
 
   /// A point of the surface in the cell, or next to it where only the margin makes it reach the
-  /// cell.
+  /// cell; where it can be, one of which more is asked than whether its triangle is hidden.
   Place place(const AxisBox& cell, PartView triangles) const {
     for (const AxisBox& box : {cell, grown(cell, 2 * margin_)})
-      for (const std::uint32_t triangle : triangles)
-        if (const auto point = pointInBoth(triangles_[triangle].corners, box))
-          return {triangle, *point};
+      for (const bool hidden : {false, true})
+        for (const std::uint32_t triangle : triangles)
+          if (bool(isHidden_[triangle]) == hidden)
+            if (const auto point = pointInBoth(triangles_[triangle].corners, box))
+              return {triangle, *point};
     return {triangles[0], triangles_[triangles[0]].corners[0]};
   }
 

@@ -59,7 +59,7 @@ class ShadowObject {
   virtual Parts ownCasterParts() const { return {}; }
   /// The same as shadowOn, for those points of the cell that belong to the own surface, whose parts
   /// in the cell are given; a point is not in its own way. `uniform` means that surface points of
-  /// one sheet agree (ownPoints). Where castsOnItself() is false, only `all` says something: the
+  /// one sheet agree (addOwnStarts). Where castsOnItself() is false, only `all` says something: the
   /// whole surface in the cell faces away.
   virtual CellShadow ownShadowOn(const Shaft& shaft, PartView surface, PartView parts,
                                  Parts& kept) const = 0;
