@@ -12,11 +12,11 @@ namespace haarlight {
 
 /// A shaft and its cell as edges look at them.
 struct ShaftView {
-  glm::dvec3 origin;        ///< a point light's place, else 0
-  glm::dvec3 middle, half;  ///< of the cell, from the origin
-  glm::dvec3 way{0};        ///< from the cell to where a directional light's shaft ends
-  double furthest = 0;      ///< from a point light to the cell, at most
-  double margin = 0;        ///< how far from the edge points count
+  glm::dvec3 origin;           ///< a point light's place, else 0
+  glm::dvec3 middle{0}, half;  ///< of the cell, from the origin
+  glm::dvec3 way{0};           ///< from the cell to where a directional light's shaft ends
+  double furthest = 0;         ///< from a point light to the cell, at most
+  double margin = 0;           ///< how far from the edge points count
 
   /// The margin is larger than rounding.
   ShaftView(const Shaft& shaft, double margin);

@@ -82,7 +82,7 @@ class WindingRay {
 
   const LitMesh& mesh_;
   std::uint32_t from_;
-  glm::dvec3 start_, way_;
+  glm::dvec3 start_{0}, way_{0};
   double end_, least_;
 };
 

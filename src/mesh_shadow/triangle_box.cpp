@@ -47,17 +47,16 @@ class CutTriangle {
 
   /// Keeps the part where sign · coordinate ≤ sign · place.
   void cut(int axis, double sign, double place) {
-    std::array<glm::dvec3, mostCorners> old;
-    const int oldCount = count_;
-    std::copy_n(corners_.begin(), oldCount, old.begin());
-    count_ = 0;
-    for (int i = 0; i < oldCount; ++i) {
-      const glm::dvec3 &a = old[i], &b = old[i + 1 < oldCount ? i + 1 : 0];
+    int kept = 0;
+    for (int i = 0; i < count_; ++i) {
+      const glm::dvec3 &a = corners_[i], &b = corners_[i + 1 < count_ ? i + 1 : 0];
       const double beyondA = sign * (a[axis] - place), beyondB = sign * (b[axis] - place);
-      if (beyondA <= 0) corners_[count_++] = a;
+      if (beyondA <= 0) next_[kept++] = a;
       if ((beyondA < 0 && beyondB > 0) || (beyondA > 0 && beyondB < 0))
-        corners_[count_++] = a + beyondA / (beyondA - beyondB) * (b - a);
+        next_[kept++] = a + beyondA / (beyondA - beyondB) * (b - a);
     }
+    count_ = kept;
+    std::copy_n(next_.begin(), count_, corners_.begin());
   }
 
   std::optional<glm::dvec3> middle() const {
@@ -72,7 +71,7 @@ class CutTriangle {
   /// bent the polygon.
   static constexpr int mostCorners = 28;
 
-  std::array<glm::dvec3, mostCorners> corners_;
+  std::array<glm::dvec3, mostCorners> corners_{}, next_{};
   int count_ = 3;
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 /// A triangle of a pair, from a place next to both.
 struct Side {
-  std::array<glm::dvec3, 3> corners;
-  std::array<bool, 3> isShared;
+  std::array<glm::dvec3, 3> corners{};
+  std::array<bool, 3> isShared{};
 
   Side(const NumberedTriangle& own, const NumberedTriangle& other, const glm::dvec3& origin) {
     for (int i = 0; i < 3; ++i) {

@@ -38,7 +38,8 @@ class TriangleGrid {
  private:
   glm::ivec3 coordinatesAt(const glm::dvec3& point) const;
   std::size_t index(const glm::ivec3& c) const {
-    return std::size_t((c.z * size_.y + c.y) * size_.x + c.x);
+    return (std::size_t(c.z) * std::size_t(size_.y) + std::size_t(c.y)) * std::size_t(size_.x) +
+           std::size_t(c.x);
   }
   std::span<const std::uint32_t> inCell(std::size_t cell) const;
   void chooseSize();

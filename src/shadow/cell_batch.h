@@ -13,12 +13,12 @@ namespace haarlight {
 /// What all cells of a receiver's octree have in common.
 struct CellContext {
   const ShadowScene& scene;
-  std::uint32_t receiver;
+  std::uint32_t receiver = 0;
   const ShadowObject& object;  ///< the receiver
   OctreeDepths depths;
   AxisBox bounds, castersBox;
   OctreeCube cube;
-  double growth;  ///< by which cells are larger when they are looked at
+  double growth = 0;  ///< by which cells are larger when they are looked at
 
   /// A cell without what lies beyond the receiver's box, and a little larger.
   AxisBox boxOf(const CellCode& cell) const;
