@@ -87,12 +87,15 @@ void SceneOctrees::answer(std::span<const ReceiverPoint> points,
   parallelFor(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
     std::uint32_t object = ReceiverPoint::nothing;
     const ShadowLeaf* leaf = nullptr;  // of the point before, which often lies in the same
+    double reach = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const ReceiverPoint& point = points[i];
       inShadow[i] = 0;
       if (point.object == ReceiverPoint::nothing) continue;
-      if (std::exchange(object, point.object) != point.object) leaf = nullptr;
-      const double reach = singlePrecisionMargin({point.position, point.position});
+      if (std::exchange(object, point.object) != point.object) {
+        leaf = nullptr;
+        reach = singlePrecisionMargin(boxes_[object]);
+      }
       leaf = octrees_[object].leafNear(point.position, reach, leaf);
       inShadow[i] = (leaf && leaf->inShadow) || !facesLight(point, *light_);
     }

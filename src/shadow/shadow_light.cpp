@@ -37,8 +37,4 @@ Ray segmentToLight(const glm::dvec3& point, const ShadowLight& light) {
   return {point, std::get<DirectionalLight>(light).towards};
 }
 
-bool facesAway(const glm::dvec3& normal, const glm::dvec3& point, const ShadowLight& light) {
-  return glm::dot(normal, segmentToLight(point, light).direction) <= 0;
-}
-
 }  // namespace haarlight

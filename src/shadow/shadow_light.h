@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <variant>
 
@@ -31,6 +32,10 @@ Ray segmentToLight(const glm::dvec3& point, const ShadowLight& light);
 
 /// Whether a surface lies in its own (attached) shadow: its normal points away from the light, or
 /// at a right angle.
-bool facesAway(const glm::dvec3& normal, const glm::dvec3& point, const ShadowLight& light);
+inline bool facesAway(const glm::dvec3& normal, const glm::dvec3& point, const ShadowLight& light) {
+  const auto* source = std::get_if<PointLight>(&light);
+  return glm::dot(normal, source ? source->position - point
+                                 : std::get_if<DirectionalLight>(&light)->towards) <= 0;
+}
 
 }  // namespace haarlight
