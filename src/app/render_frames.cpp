@@ -20,6 +20,7 @@ struct FrameTimes {
   ShowTimes show;
   double rays = 0;  ///< camera rays and what they need
   StageTimes shading;
+  double punctual = 0;  ///< of light and shading: punctual lights and their shadows
   double write = 0;
   double total = 0;
 };
@@ -31,6 +32,7 @@ nlohmann::ordered_json describe(const FrameTimes& times) {
           {"light", times.show.light},
           {"rays", times.rays},
           {"shading", describeStages(times.shading)},
+          {"punctual", times.punctual},
           {"write", times.write}};
 }
 
@@ -84,6 +86,7 @@ FrameTimes FrameRenderer::render(int frame) {
   FrameTimes times;
   Stopwatch watch;
   const double seconds = frameSeconds(description_.animation, frame);
+  const double punctualBefore = method_->punctualSeconds();
   times.show = setup_.show(seconds, *method_);
   watch.lap();
   const StageTimes before = method_->times();
@@ -92,6 +95,7 @@ FrameTimes FrameRenderer::render(int frame) {
   const RenderedImage picture = sampler.render(*method_);
   times.shading = method_->times() - before;
   times.rays = watch.lap() - times.shading.total;
+  times.punctual = method_->punctualSeconds() - punctualBefore;
   ImageAttributes attributes = setup_.attributes(*method_);
   attributes["frame"] = frame;
   attributes["seconds"] = float(seconds);
@@ -136,6 +140,7 @@ nlohmann::ordered_json FrameRenderer::results() const {
         {"light", medianOf([](const FrameTimes& t) { return t.show.light; })},
         {"rays", medianOf([](const FrameTimes& t) { return t.rays; })},
         {"shading", medianOf([](const FrameTimes& t) { return t.shading.total; })},
+        {"punctual", medianOf([](const FrameTimes& t) { return t.punctual; })},
         {"write", medianOf([](const FrameTimes& t) { return t.write; })}};
   }
   results["peak_memory_mib"] = peakMemoryMebibytes();
