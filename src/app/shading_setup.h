@@ -15,7 +15,7 @@ namespace haarlight {
 struct ShowTimes {
   double meshes = 0;   ///< vertices, normals
   double spheres = 0;  ///< moved with them, by the engine where there is one
-  double light = 0;    ///< projection and tables; next to nothing while the light stays
+  double light = 0;    ///< projection and tables, next to nothing while the light stays; octrees
 };
 
 /// A scene on the way to pictures: what render and bake have in common.
