@@ -31,7 +31,10 @@ Json figuresOf(const OctreeCounts& counts) {
           {"leaves_in_shadow_by_depth", byDepth(counts.inShadow)},
           {"leaves_in_light_by_depth", byDepth(counts.inLight)},
           {"leaves_by_ray", counts.byRay},
-          {"rays", counts.rays}};
+          {"rays", counts.rays},
+          {"proof_seconds", counts.proofSeconds},
+          {"ray_seconds", counts.raySeconds},
+          {"sort_seconds", counts.sortSeconds}};
 }
 
 /// One of Shadows for each light, and the seconds that making and asking them took.
