@@ -90,7 +90,7 @@ void applyShading(const SceneOptions& options, ShadingDescription& shading) {
   if (options.levels) shading.levels = *options.levels;
   if (options.order) shading.order = *options.order;
   if (!options.per.empty()) shading.per = choiceOf(shadedPerNames, options.per);
-  if (!options.shadowDetail.empty()) setShadowDetail(parseDetail(options.shadowDetail), shading);
+  if (!options.shadowDetail.empty()) parseDetail(options.shadowDetail);  // or throw at once
 }
 
 /// Why `auto` came down to the slowest engine.
@@ -192,10 +192,11 @@ void addShadingOptions(CLI::App& command, SceneOptions& options) {
        "Of spheres, for haar and pixel: exact, or the paper's table (faster) [exact]",
        "Computation")
       ->check(CLI::IsMember(namesOf(visibilityKindNames)));
-  text("--detail", options.shadowDetail,
-       "Of hard shadows: the largest edge of the smallest cells in world units, or depth=N "
-       "[depth=9]",
-       "Computation");
+  text(
+      "--detail", options.shadowDetail,
+      "Of hard shadows: the largest edge of the smallest cells in world units, or depth=N [a 512th "
+      "of the scene]",
+      "Computation");
   text("--engine", options.engine, "auto, reference, opencl, cuda or cuda-host [auto]",
        "Computation")
       ->check(CLI::IsMember(namesOf(engineChoiceNames)));

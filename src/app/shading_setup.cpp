@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "render/punctual_method.h"
+#include "render/scene_participants.h"
 #include "scene/names.h"
 
 namespace haarlight {
@@ -70,7 +71,10 @@ std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
   auto method = environmentMethod(which, typicalSamples, anyNormal);
   if (which == ShadingMethod::PixelMesh)  // the reference
     return withExactPunctualLights(std::move(method), scene());
-  return withPunctualLights(std::move(method), scene(), detailOf(description_.shading));
+  if (!shadowDetail_)
+    shadowDetail_ =
+        detailOf(options_.shadowDetail, description_.shading, SceneParticipants(scene()).bounds());
+  return withPunctualLights(std::move(method), scene(), *shadowDetail_);
 }
 
 std::unique_ptr<RadianceMethod> ShadingSetup::environmentMethod(
@@ -124,8 +128,7 @@ nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const
     summary["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
   if (!scene().punctualLights.empty()) {
     summary["punctual_lights"] = scene().punctualLights.size();
-    if (method.name() != "pixel-mesh")
-      summary["shadow_detail"] = textOf(detailOf(description_.shading));
+    if (method.name() != "pixel-mesh") summary["shadow_detail"] = textOf(*shadowDetail_);
     summary["punctual_seconds"] = method.punctualSeconds();
   }
   summary["spheres"] = sphereCount(scene());

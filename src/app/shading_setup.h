@@ -4,6 +4,7 @@
 #include <span>
 
 #include "app/options.h"
+#include "hard_shadow/level_of_detail.h"
 #include "image/compare.h"
 #include "image/write_image.h"
 #include "render/moving_scene.h"
@@ -59,6 +60,7 @@ class ShadingSetup {
   MovingScene moving_;
   std::shared_ptr<const SphereTable> table_;
   std::shared_ptr<Engine> engine_;
+  std::optional<LevelOfDetail> shadowDetail_;  ///< once it is needed; the same for all frames
   std::shared_ptr<const SceneTransfer> transfer_;
   double transferSeconds_ = 0;  ///< reading or computing it took
 };

@@ -56,6 +56,7 @@ SceneDescription describe(const ShadowOptions& options) {
 }
 
 void checkOptions(const ShadowOptions& options) {
+  for (const std::string& detail : options.details) parseDetail(detail);
   for (const std::string& output : options.outputs) checkTarget(output, {".png", ".exr"});
   if (!options.sheet.empty()) checkTarget(options.sheet, {".png"});
   if (!std::isfinite(options.seconds)) throw InputError("--seconds takes a number");
@@ -75,13 +76,14 @@ std::vector<std::string> methodsOf(const ShadowOptions& options) {
 
 /// Those asked for, or the scene's.
 std::vector<LevelOfDetail> detailsOf(const ShadowOptions& options,
-                                     const ShadingDescription& shading) {
+                                     const ShadingDescription& shading, const AxisBox& scene) {
+  std::vector<std::string> texts = options.details;
+  if (texts.empty()) texts.emplace_back();
   std::vector<LevelOfDetail> details;
-  for (const std::string& text : options.details) details.push_back(parseDetail(text));
-  if (details.empty()) details.push_back(detailOf(shading));
-  for (LevelOfDetail& detail : details) {
-    detail.interior = options.interior;
-    checkDetail(detail);
+  for (const std::string& text : texts) {
+    details.push_back(detailOf(text, shading, scene));
+    details.back().interior = options.interior;
+    checkDetail(details.back());
   }
   return details;
 }
@@ -131,7 +133,6 @@ void shadow(const ShadowOptions& options) {
   checkOptions(options);
   const SceneDescription description = describe(options);
   const ImageDescription& image = description.image;
-  const auto details = detailsOf(options, description.shading);
   MovingScene moving(description, console.progress(), SceneParts::hardShadows);
   moving.show(options.seconds);
   for (const std::string& warning : moving.scene().warnings) console.warning(warning);
@@ -145,7 +146,8 @@ void shadow(const ShadowOptions& options) {
                                        image.height, raysPerSide, !options.plain});
   std::vector<ShadowLight> places;
   for (const PunctualLight& light : lights) places.push_back(light.light);
-  addRuns(options, details, scene, places, comparison);
+  addRuns(options, detailsOf(options, description.shading, scene.bounds()), scene, places,
+          comparison);
   const Progress progress = console.progress();
   comparison.run([&](double finished) {
     if (progress) progress("drawing shadows", finished);
@@ -177,7 +179,7 @@ void addMethodOptions(CLI::App& command, ShadowOptions& options) {
   command
       .add_option("--detail", options.details,
                   "Of octrees: the largest edge of the smallest cells in world units, or depth=N "
-                  "[the scene's, depth=9]; may be repeated")
+                  "[the scene's, or a 512th of the scene]; may be repeated")
       ->allow_extra_args(false)
       ->group("Computation");
   command

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <glm/geometric.hpp>
 
@@ -55,25 +56,21 @@ LevelOfDetail parseDetail(const std::string& text) {
   return detail;
 }
 
-LevelOfDetail detailOf(const ShadingDescription& shading) {
+LevelOfDetail detailOf(const std::string& option, const ShadingDescription& shading,
+                       const AxisBox& scene) {
+  if (!option.empty()) return parseDetail(option);
+  constexpr int cellsAlongScene = 512;
+  const glm::dvec3 size = scene.isEmpty() ? glm::dvec3(1) : scene.upper - scene.lower;
+  const double longest = std::max({size.x, size.y, size.z});
   LevelOfDetail detail;
-  detail.boundary = shading.shadowDepth;
-  if (shading.shadowDetail) detail.boundary = *shading.shadowDetail;
+  detail.boundary = shading.shadowDetail.value_or(longest > 0 ? longest / cellsAlongScene : 1);
   return detail;
 }
 
 std::string textOf(const LevelOfDetail& detail) {
   if (const auto* depth = std::get_if<int>(&detail.boundary))
     return fmt::format("depth={}", *depth);
-  return fmt::format("{}", std::get<double>(detail.boundary));
-}
-
-void setShadowDetail(const LevelOfDetail& detail, ShadingDescription& shading) {
-  shading.shadowDetail.reset();
-  if (const auto* depth = std::get_if<int>(&detail.boundary))
-    shading.shadowDepth = *depth;
-  else
-    shading.shadowDetail = std::get<double>(detail.boundary);
+  return fmt::format("{:.4g}", std::get<double>(detail.boundary));
 }
 
 void addPunctualLightOptions(CLI::App& command, PunctualLightOptions& options) {

@@ -186,11 +186,8 @@ struct ShadingDescription {
   VisibilityKind visibility = VisibilityKind::exact;
   EngineChoice engine = EngineChoice::Auto;
   /// Of the hard shadows of point and directional lights: the largest edge of the octrees' smallest
-  /// cells in world units; nothing: `shadowDepth` says it.
+  /// cells in world units; nothing: a 512th of the scene's longest side.
   std::optional<double> shadowDetail;
-  /// Depth of the smallest cells, 0 to 10: their edge is the receiving object's longest side over
-  /// 2^shadowDepth.
-  int shadowDepth = 9;
 };
 
 struct SceneDescription {

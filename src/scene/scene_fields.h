@@ -122,7 +122,6 @@ void visitFields(Fields& fields, ShadingDescription& shading) {
   fields.choice("visibility", shading.visibility, visibilityKindNames);
   fields.choice("engine", shading.engine, engineChoiceNames);
   fields.numberOrWord("shadowDetail", shading.shadowDetail, "auto", lengthRange);
-  fields.integer("shadowDepth", shading.shadowDepth, Range{0, 10});
 }
 
 /// Of one kind.
