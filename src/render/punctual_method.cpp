@@ -134,7 +134,11 @@ ReceiverPoint PunctualMethod::pointOf(const SurfaceSample& sample) const {
   const bool onReceiver = place.object == MeshPoint::onReceiver;
   ReceiverPoint point{onReceiver ? std::uint32_t(scene_.objects.size()) : place.object,
                       glm::dvec3(sample.position), glm::dvec3(sample.geometricNormal)};
-  if (onReceiver || scene_.objects[place.object].solid) return point;
+  if (onReceiver) return point;
+  if (scene_.objects[place.object].solid) {
+    point.fromWithin = place.fromBehind;
+    return point;
+  }
   const auto& corners = scene_.objects[place.object].mesh.positions;
   point.position = glm::dvec3(0);
   for (int i = 0; i < 3; ++i)
