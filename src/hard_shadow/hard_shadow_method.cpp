@@ -31,7 +31,10 @@ Json figuresOf(const OctreeCounts& counts) {
           {"leaves_in_shadow_by_depth", byDepth(counts.inShadow)},
           {"leaves_in_light_by_depth", byDepth(counts.inLight)},
           {"leaves_by_ray", counts.byRay},
-          {"rays", counts.rays}};
+          {"rays", counts.rays},
+          {"proof_seconds", counts.proofSeconds},
+          {"ray_seconds", counts.raySeconds},
+          {"sort_seconds", counts.sortSeconds}};
 }
 
 /// One of Shadows for each light, and the seconds that making and asking them took.
@@ -40,59 +43,70 @@ class MethodWithLights : public HardShadowMethod {
  public:
   void answer(std::size_t light, const SurfaceView& view,
               std::span<std::uint8_t> inShadow) override {
-    Stopwatch watch;
-    answerFor(light, view, inShadow);
-    answerSeconds_ += watch.lap();
+    const Stopwatch watch;
+    ask(*shadows_[light], view, inShadow);
+    answerSeconds_ += watch.total();
   }
 
  protected:
-  virtual void answerFor(std::size_t light, const SurfaceView& view,
-                         std::span<std::uint8_t> inShadow) = 0;
+  /// `make` gives the pointer to those of a light.
+  template <typename Make>
+  MethodWithLights(std::span<const ShadowLight> lights, const Make& make) {
+    const Stopwatch watch;
+    for (const ShadowLight& light : lights) shadows_.push_back(make(light));
+    prepareSeconds_ = watch.total();
+  }
+
+  virtual void ask(const Shadows& shadows, const SurfaceView& view,
+                   std::span<std::uint8_t> inShadow) = 0;
+
+  /// `perPicture` is the name of what is done for every picture.
+  Json secondsFigures(const char* perPicture) const {
+    return {{"total", prepareSeconds_ + answerSeconds_},
+            {"prepare", prepareSeconds_},
+            {perPicture, answerSeconds_}};
+  }
 
   std::vector<std::unique_ptr<Shadows>> shadows_;
+
+ private:
   double prepareSeconds_ = 0, answerSeconds_ = 0;
 };
 
 class OctreeMethod final : public MethodWithLights<SceneOctrees> {
  public:
   OctreeMethod(std::span<const ShadowParticipant> participants, std::span<const ShadowLight> lights,
-               const LevelOfDetail& detail) {
-    for (const ShadowLight& light : lights) {
-      shadows_.push_back(std::make_unique<SceneOctrees>(detail));
-      shadows_.back()->show(participants, light);
-    }
-  }
+               const LevelOfDetail& detail)
+      : MethodWithLights(lights, [&](const ShadowLight& light) {
+          auto octrees = std::make_unique<SceneOctrees>(detail);
+          octrees->show(participants, light);
+          return octrees;
+        }) {}
 
   std::string name() const override { return "octree"; }
   const SceneOctrees* octreesOf(std::size_t light) const override { return shadows_[light].get(); }
 
   Json figures() const override {
-    Json lights = Json::array();
-    double prepare = 0, pairs = 0, octrees = 0;
+    Json lights = Json::array(), seconds = secondsFigures("look_up");
+    double pairs = 0, octrees = 0;
     std::size_t memory = 0, leaves = 0;
     for (const auto& shadows : shadows_) {
       const SceneOctreeWork& work = shadows->work();
       lights.push_back({{"pairs", figuresOf(work.pairs)}, {"octrees", figuresOf(work.counts)}});
-      prepare += work.prepareSeconds, pairs += work.pairSeconds, octrees += work.octreeSeconds;
+      pairs += work.pairSeconds, octrees += work.octreeSeconds;
       memory += shadows->memory();
       for (const ShadowOctree& octree : shadows->octrees()) leaves += octree.leaves().size();
     }
-    const double total = prepare + pairs + octrees + answerSeconds_;
-    return {{"leaves", leaves},
-            {"bytes", memory},
-            {"seconds",
-             {{"total", total},
-              {"prepare", prepare},
-              {"pairs", pairs},
-              {"octrees", octrees},
-              {"look_up", answerSeconds_}}},
-            {"light", lights}};
+    seconds["pairs"] = pairs;
+    seconds["octrees"] = octrees;
+    seconds["prepare"] = seconds["prepare"].get<double>() - pairs - octrees;
+    return {{"leaves", leaves}, {"bytes", memory}, {"seconds", seconds}, {"light", lights}};
   }
 
  private:
-  void answerFor(std::size_t light, const SurfaceView& view,
-                 std::span<std::uint8_t> inShadow) override {
-    shadows_[light]->answer(view.points, inShadow);
+  void ask(const SceneOctrees& octrees, const SurfaceView& view,
+           std::span<std::uint8_t> inShadow) override {
+    octrees.answer(view.points, inShadow);
   }
 };
 
@@ -100,12 +114,11 @@ class ClassicMethod final : public MethodWithLights<ClassicShadows> {
  public:
   ClassicMethod(std::span<const ShadowParticipant> participants,
                 std::span<const ShadowLight> lights, ClassicVolume::Sides sides)
-      : sides_(sides) {
-    const Stopwatch watch;
-    for (const ShadowLight& light : lights)
-      shadows_.push_back(std::make_unique<ClassicShadows>(participants, light, sides));
-    prepareSeconds_ = watch.total();
-  }
+      : MethodWithLights(lights,
+                         [&](const ShadowLight& light) {
+                           return std::make_unique<ClassicShadows>(participants, light, sides);
+                         }),
+        sides_(sides) {}
 
   std::string name() const override {
     return sides_ == ClassicVolume::Sides::ofSilhouette ? "classic" : "classic-triangles";
@@ -114,18 +127,13 @@ class ClassicMethod final : public MethodWithLights<ClassicShadows> {
   Json figures() const override {
     std::size_t faces = 0, memory = 0;
     for (const auto& shadows : shadows_) faces += shadows->faceCount(), memory += shadows->memory();
-    return {{"faces", faces},
-            {"bytes", memory},
-            {"seconds",
-             {{"total", prepareSeconds_ + answerSeconds_},
-              {"prepare", prepareSeconds_},
-              {"draw", answerSeconds_}}}};
+    return {{"faces", faces}, {"bytes", memory}, {"seconds", secondsFigures("draw")}};
   }
 
  private:
-  void answerFor(std::size_t light, const SurfaceView& view,
-                 std::span<std::uint8_t> inShadow) override {
-    shadows_[light]->answer(view, inShadow);
+  void ask(const ClassicShadows& volumes, const SurfaceView& view,
+           std::span<std::uint8_t> inShadow) override {
+    volumes.answer(view, inShadow);
   }
 
   ClassicVolume::Sides sides_;
@@ -133,28 +141,19 @@ class ClassicMethod final : public MethodWithLights<ClassicShadows> {
 
 class ExactMethod final : public MethodWithLights<ExactShadows> {
  public:
-  ExactMethod(std::span<const ShadowParticipant> participants,
-              std::span<const ShadowLight> lights) {
-    const Stopwatch watch;
-    for (const ShadowLight& light : lights)
-      shadows_.push_back(std::make_unique<ExactShadows>(participants, light));
-    prepareSeconds_ = watch.total();
-  }
+  ExactMethod(std::span<const ShadowParticipant> participants, std::span<const ShadowLight> lights)
+      : MethodWithLights(lights, [&](const ShadowLight& light) {
+          return std::make_unique<ExactShadows>(participants, light);
+        }) {}
 
   std::string name() const override { return "exact"; }
 
-  Json figures() const override {
-    return {{"rays", rays_},
-            {"seconds",
-             {{"total", prepareSeconds_ + answerSeconds_},
-              {"prepare", prepareSeconds_},
-              {"cast", answerSeconds_}}}};
-  }
+  Json figures() const override { return {{"rays", rays_}, {"seconds", secondsFigures("cast")}}; }
 
  private:
-  void answerFor(std::size_t light, const SurfaceView& view,
-                 std::span<std::uint8_t> inShadow) override {
-    rays_ += shadows_[light]->answer(view.points, inShadow);
+  void ask(const ExactShadows& shadows, const SurfaceView& view,
+           std::span<std::uint8_t> inShadow) override {
+    rays_ += shadows.answer(view.points, inShadow);
   }
 
   std::uint64_t rays_ = 0;
