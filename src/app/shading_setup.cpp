@@ -128,7 +128,10 @@ nlohmann::ordered_json ShadingSetup::summary(const RadianceMethod& method) const
     summary["visibility"] = nameOf(visibilityKindNames, description_.shading.visibility);
   if (!scene().punctualLights.empty()) {
     summary["punctual_lights"] = scene().punctualLights.size();
-    if (method.name() != "pixel-mesh") summary["shadow_detail"] = textOf(*shadowDetail_);
+    if (method.name() != "pixel-mesh") {
+      summary["shadow_detail"] = textOf(*shadowDetail_);
+      summary["shadow_octrees_built"] = method.builtShadowOctrees();
+    }
     summary["punctual_seconds"] = method.punctualSeconds();
   }
   summary["spheres"] = sphereCount(scene());

@@ -96,6 +96,8 @@ void applyPunctualLights(const PunctualLightOptions& options, SceneDescription& 
   for (const std::string& text : options.directionalLights) {
     DirectionalLightDescription& light = scene.directionalLights.emplace_back();
     light.towards = parseVector(text, "--directional-light");
+    if (light.towards == glm::dvec3(0))
+      throw InputError("--directional-light 0,0,0 points nowhere");
     light.irradiance = glm::dvec3(irradianceAtTarget);
   }
 }

@@ -29,12 +29,16 @@ std::size_t ClassicShadows::memory() const {
 
 void ClassicShadows::answer(const SurfaceView& view, std::span<std::uint8_t> inShadow) const {
   std::vector<std::int32_t> counts(view.points.size());
-  for (const auto& caster : casters_) caster->volume.addCounts(view.pixels, view.depths, counts);
+  bool isAllDark = false;  // as no volume is there behind a triangle that the light lies on
+  for (const auto& caster : casters_) {
+    caster->volume.addCounts(view.pixels, view.depths, counts);
+    isAllDark |= caster->mesh.holdsLight();
+  }
   parallelFor(counts.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const ReceiverPoint& point = view.points[i];
-      inShadow[i] =
-          point.object != ReceiverPoint::nothing && (counts[i] > 0 || !facesLight(point, light_));
+      inShadow[i] = point.object != ReceiverPoint::nothing &&
+                    (isAllDark || counts[i] > 0 || !facesLight(point, light_));
     }
   });
 }

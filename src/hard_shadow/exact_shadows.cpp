@@ -21,6 +21,14 @@ ExactShadows::ExactShadows(std::span<const ShadowParticipant> participants,
     return !caster.castsShadow || (pair.caster == pair.receiver && !mayShadowItself(caster));
   });
   casters_ = castersByReceiver(pairs.kept, participants.size());
+  std::vector<bool> holdsLight;
+  for (const ShadowParticipant& participant : participants_) {
+    const auto* mesh = std::get_if<const TriangleMesh*>(&participant.shape);
+    holdsLight.push_back(mesh && liesOn(**mesh, light));
+  }
+  for (const auto& casters : casters_)
+    isAllDark_.push_back(
+        std::ranges::any_of(casters, [&](std::uint32_t caster) { return holdsLight[caster]; }));
 }
 
 /// From a mesh's own surface, off it by more than single precision's rounding.
@@ -38,7 +46,7 @@ std::uint64_t ExactShadows::answer(std::span<const ReceiverPoint> points,
   std::vector<std::uint32_t> open;  // points that are not known to be in shadow
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const bool isSomething = points[i].object != ReceiverPoint::nothing;
-    inShadow[i] = isSomething && !facesLight(points[i], light_);
+    inShadow[i] = isSomething && (isAllDark_[points[i].object] || !facesLight(points[i], light_));
     if (isSomething && !inShadow[i]) open.push_back(i);
   }
   std::uint64_t count = 0;

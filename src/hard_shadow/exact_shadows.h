@@ -28,6 +28,8 @@ class ExactShadows {
   ShadowLight light_;
   EmbreeOcclusion rays_;
   std::vector<std::vector<std::uint32_t>> casters_;  ///< of each receiver
+  /// Of each receiver: the light lies on a mesh that casts a shadow on it.
+  std::vector<bool> isAllDark_;
 };
 
 }  // namespace haarlight

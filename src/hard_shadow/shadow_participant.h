@@ -25,12 +25,13 @@ struct ReceiverPoint {
 
   std::uint32_t object = nothing;
   glm::dvec3 position{0};
-  glm::dvec3 normal{0};  ///< unit, of the surface itself, on the side that is seen
+  glm::dvec3 normal{0};     ///< unit, of the surface itself, on the side that is seen
+  bool fromWithin = false;  ///< seen from within a solid, where all is dark
 };
 
 /// Whether the surface lies in light unless something stands in the way.
 inline bool facesLight(const ReceiverPoint& point, const ShadowLight& light) {
-  return !facesAway(point.normal, point.position, light);
+  return !point.fromWithin && !facesAway(point.normal, point.position, light);
 }
 
 /// Whether light leaves a point of a participant's surface by the participant itself: never of a

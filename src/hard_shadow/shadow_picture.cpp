@@ -1,5 +1,6 @@
 #include "hard_shadow/shadow_picture.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -9,8 +10,16 @@ namespace haarlight {
 
 namespace {
 
-/// Irradiance from all around, as a part of that which the lights bring to the scene's middle.
-constexpr double ambientPart = 0.2;
+/// Irradiance from all around: a part of that which the lights bring to the scene's middle, or to
+/// a quarter of its size if they are nearer.
+glm::dvec3 ambientOf(const PunctualLight& light, const AxisBox& scene) {
+  constexpr double part = 0.2;
+  const double nearest = glm::length(scene.upper - scene.lower) / 4;
+  const auto* point = std::get_if<PointLight>(&light.light);
+  const double distance =
+      point ? std::max(nearest, glm::distance(point->position, scene.center())) : 1;
+  return part / (distance * distance) * glm::dvec3(light.strength);
+}
 
 /// How dark a leaf is drawn: every second one of its size, fading out where it covers few pixels.
 double brightnessOf(const ShadowOctree& octree, const ShadowLeaf& leaf, double pixelSize) {
@@ -33,11 +42,7 @@ ShadowPicture::ShadowPicture(int width, int height, int raysPerSide,
       lights_(std::move(lights)),
       image_(width, height) {
   if (scene.isEmpty()) return;
-  for (const PunctualLight& light : lights_) {
-    const glm::dvec3 towards = segmentToLight(scene.center(), light.light).direction;
-    if (glm::length(towards) > 0)
-      ambient_ += ambientPart * irradianceOf(light, scene.center(), glm::normalize(towards));
-  }
+  for (const PunctualLight& light : lights_) ambient_ += ambientOf(light, scene);
 }
 
 glm::dvec3 ShadowPicture::radiance(const SurfaceView& view, std::size_t index,

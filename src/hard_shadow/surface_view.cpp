@@ -59,8 +59,8 @@ SurfaceViewer::Sight SurfaceViewer::onSolid(std::uint32_t object, const Solid& s
   const Ray ray{pixels_.eye, direction};
   const SolidHit exact =
       solid.intersect(ray).value_or(SolidHit{hit.distance, glm::dvec3(hit.geometricNormal)});
-  const double side = glm::dot(exact.normal, direction) > 0 ? -1 : 1;
-  return {{object, ray.at(exact.t), side * exact.normal}, exact.t};
+  const bool fromWithin = glm::dot(exact.normal, direction) > 0;
+  return {{object, ray.at(exact.t), (fromWithin ? -1. : 1.) * exact.normal, fromWithin}, exact.t};
 }
 
 /// The hit's place by its weights of the corners, which single precision does not take off the

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
+#include "mesh/occluder.h"
 #include "shadow/shaft.h"
 
 namespace haarlight {
@@ -39,7 +40,7 @@ LitMesh::LitMesh(const TriangleMesh& mesh, const ShadowLight& light) : light_(li
       bounds_ = united(bounds_, {positions_[vertex], positions_[vertex]});
   }
   lookAtEdges();
-  holdsLight_ = findLight();
+  holdsLight_ = liesOn(mesh, light);
 }
 
 TriangleCorners LitMesh::corners(std::uint32_t triangle) const {
@@ -115,14 +116,15 @@ bool LitMesh::mayOverlap(std::uint32_t a, std::uint32_t b) const {
   return !hasSeparatingEdge(a, b) && !hasSeparatingEdge(b, a);
 }
 
-bool LitMesh::findLight() const {
-  const auto* point = std::get_if<PointLight>(&light_);
+bool liesOn(const TriangleMesh& mesh, const ShadowLight& light) {
+  const auto* point = std::get_if<PointLight>(&light);
   if (!point) return false;
-  const double margin = singlePrecisionMargin(bounds_);
+  const double margin = singlePrecisionMargin(boundsOf(&mesh));
   const AxisBox place{point->position - margin, point->position + margin};
-  for (std::uint32_t triangle = 0; triangle < triangleCount(); ++triangle)
-    if (triangleMeetsBox(corners(triangle), place)) return true;
-  return false;
+  return std::ranges::any_of(mesh.triangles, [&](const auto& t) {
+    const auto corner = [&](int i) { return glm::dvec3(mesh.positions[t[i]]); };
+    return triangleMeetsBox({corner(0), corner(1), corner(2)}, place);
+  });
 }
 
 }  // namespace haarlight

@@ -58,7 +58,7 @@ class LitMesh {
   /// and an edge has them on different sides.
   bool mayOverlap(std::uint32_t a, std::uint32_t b) const;
 
-  /// Whether the light lies on the mesh, as far as the coordinates' rounding can tell.
+  /// As liesOn.
   bool holdsLight() const { return holdsLight_; }
 
   /// Of any length.
@@ -69,7 +69,6 @@ class LitMesh {
   bool hasSeparatingEdge(std::uint32_t a, std::uint32_t b) const;
   void lookAtEdges();
   bool isOfSilhouette(std::span<const EdgeUse> edge) const;
-  bool findLight() const;
 
   ShadowLight light_;
   std::vector<glm::dvec3> positions_;
@@ -81,6 +80,9 @@ class LitMesh {
   AxisBox bounds_;
   bool holdsLight_ = false, isClosed_ = true;
 };
+
+/// Whether a light lies on a mesh, as far as the coordinates' rounding can tell.
+bool liesOn(const TriangleMesh& mesh, const ShadowLight& light);
 
 /// How far rounding to single precision may move a point within a box.
 double singlePrecisionMargin(const AxisBox& box);

@@ -22,6 +22,8 @@ class LightShadows {
                     const std::vector<bool>& moved) = 0;
   virtual void answer(std::span<const ReceiverPoint> points,
                       std::span<std::uint8_t> inShadow) const = 0;
+  /// By the last call of show.
+  virtual std::size_t builtOctrees() const { return 0; }
 };
 
 class OctreeLightShadows final : public LightShadows {
@@ -36,6 +38,7 @@ class OctreeLightShadows final : public LightShadows {
               std::span<std::uint8_t> inShadow) const override {
     octrees_.answer(points, inShadow);
   }
+  std::size_t builtOctrees() const override { return octrees_.work().builtOctrees; }
 
  private:
   SceneOctrees octrees_;
@@ -122,8 +125,10 @@ void PunctualMethod::showShadows() {
     moved[i] = revisions_[i] != scene_.objects[i].revision;
     revisions_[i] = scene_.objects[i].revision;
   }
-  for (std::size_t light = 0; light < shadows_.size(); ++light)
+  for (std::size_t light = 0; light < shadows_.size(); ++light) {
     shadows_[light]->show(participants_.participants(), scene_.punctualLights[light].light, moved);
+    builtShadowOctrees_ += shadows_[light]->builtOctrees();
+  }
   punctualSeconds_ += watch.total();
   noteTimes();
 }
@@ -134,7 +139,11 @@ ReceiverPoint PunctualMethod::pointOf(const SurfaceSample& sample) const {
   const bool onReceiver = place.object == MeshPoint::onReceiver;
   ReceiverPoint point{onReceiver ? std::uint32_t(scene_.objects.size()) : place.object,
                       glm::dvec3(sample.position), glm::dvec3(sample.geometricNormal)};
-  if (onReceiver || scene_.objects[place.object].solid) return point;
+  if (onReceiver) return point;
+  if (scene_.objects[place.object].solid) {
+    point.fromWithin = place.fromBehind;
+    return point;
+  }
   const auto& corners = scene_.objects[place.object].mesh.positions;
   point.position = glm::dvec3(0);
   for (int i = 0; i < 3; ++i)

@@ -40,10 +40,14 @@ class RadianceMethod {
   const StageTimes& times() const { return times_; }
   /// Of the total: for the light of punctual lights and its shadows.
   double punctualSeconds() const { return punctualSeconds_; }
+  /// How many octrees of punctual lights' shadows were built so far, one for an object and a light
+  /// that no octree was kept for.
+  std::size_t builtShadowOctrees() const { return builtShadowOctrees_; }
 
  protected:
   StageTimes times_;
   double punctualSeconds_ = 0;
+  std::size_t builtShadowOctrees_ = 0;
 };
 
 /// Methods keep a reference to the scene.

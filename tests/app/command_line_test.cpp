@@ -26,6 +26,10 @@ TEST_CASE("the help of every command names its options and gives an example") {
                                        "--compare-to", "--frame-rate"})},
       {"bake",
        joined(sceneOptions, {"--output", "--object", "--size", "--compare-to", "--frame-rate"})},
+      {"shadow",
+       {"SCENE", "--mesh", "--point-light", "--directional-light", "--seconds", "--detail",
+        "--interior", "--method", "--compare-to", "--output", "--sheet", "--plain", "--size",
+        "--samples", "--exposure"}},
       {"fit", {"MESH", "--output", "--spheres", "--seed"}},
       {"prt", {"MESH", "--output", "--order", "--bounces", "--rays", "--albedo", "--seed"}},
       {"info", {"FILE"}},
@@ -50,7 +54,7 @@ TEST_CASE("the help of every command names its options and gives an example") {
 TEST_CASE("the program's help names the commands, and its version is one line") {
   const Outcome help = runHaarlight({"--help"});
   CHECK(help.exitCode == 0);
-  for (const char* command : {"render", "bake", "fit", "prt", "info", "skies", "devices"})
+  for (const char* command : {"render", "bake", "shadow", "fit", "prt", "info", "skies", "devices"})
     CHECK(contains(help.output, std::string("\n  ") + command + " "));
   const Outcome version = runHaarlight({"--version"});
   CHECK(version.exitCode == 0);

@@ -126,3 +126,47 @@ TEST_CASE("classic shadow volumes refuse solids") {
   const ShadowLight lights[] = {PointLight{{0, 6, 0}}};
   CHECK_THROWS_AS(makeClassicShadows(setting.participants, lights), InputError);
 }
+
+TEST_CASE("seen from within, a solid is dark, be light outside or within") {
+  const std::pair<Shape, glm::dvec3> solids[] = {{SphereShape{2}, {0.5, 0, 0}},
+                                                 {BoxShape{{2, 1, 3}}, {0, 0.3, 0}},
+                                                 {ConeShape{3, 4}, {0, 0.5, 0}},
+                                                 {TorusShape{3, 1}, {-3, 0, 0}}};
+  CameraDescription camera;
+  camera.position = {0, 0, 0};
+  camera.target = {0.3, 0.2, -1};
+  for (const auto& [shape, place] : solids)
+    for (const glm::dvec3& lamp : {glm::dvec3(2, 9, 3), glm::dvec3(0.1, 0.2, -0.1)}) {
+      ShadowSetting setting;
+      setting.add(Solid(shape, Placement(place)));
+      const ShadowLight lights[] = {PointLight{lamp}};
+      const SurfaceViewer viewer(setting.participants, Camera(camera, 40, 30), 40, 30, 1);
+      const SurfaceView view = viewer.rows(0, 30);
+      const std::vector<std::uint8_t> dark(view.points.size(), 1);
+      CHECK(answerOf(*makeExactShadows(setting.participants, lights), view) == dark);
+      CHECK(answerOf(*makeOctreeShadows(setting.participants, lights, {6, 0}), view) == dark);
+    }
+}
+
+TEST_CASE("light on a mesh, be it on an edge or a corner, leaves all dark by every method") {
+  TriangleMesh triangle;
+  triangle.positions = {{0, 0.2f, 0}, {1, 0.2f, 0}, {0.1f, 1, 0.2f}};
+  triangle.triangles = {{0, 1, 2}};
+  ShadowSetting setting;
+  setting.add(floorAt(0, 3), false);
+  setting.add(triangle);
+  const SurfaceViewer viewer(setting.participants, Camera(fromAbove(5), 40, 40), 40, 40, 1);
+  const SurfaceView view = viewer.rows(0, 40);
+  const std::vector<std::uint8_t> dark(view.points.size(), 1);
+  const glm::dvec3 a(triangle.positions[0]), b(triangle.positions[1]), c(triangle.positions[2]);
+  for (const glm::dvec3& place :
+       {a, c, 0.5 * (a + b), 0.3 * a + 0.7 * c, 0.2 * a + 0.8 * c, 0.3 * a + 0.3 * b + 0.4 * c}) {
+    const ShadowLight lights[] = {PointLight{place}};
+    for (const auto& method : {makeExactShadows(setting.participants, lights),
+                               makeOctreeShadows(setting.participants, lights, {6, 0}),
+                               makeClassicShadows(setting.participants, lights)}) {
+      CAPTURE(method->name());
+      CHECK(answerOf(*method, view) == dark);
+    }
+  }
+}

@@ -36,6 +36,22 @@ TEST_CASE("radiance is Lambert's, of each light that is not in the way") {
   }
 }
 
+TEST_CASE("shadows are as bright under a light in the scene's middle as under one next to it") {
+  SurfaceView view;
+  view.pixels.width = 1, view.pixels.height = 1;
+  view.points = {{0, {0, -1, 0}, {0, 1, 0}}};
+  view.depths = {1};
+  const auto darkUnder = [&](const glm::dvec3& place) {
+    ShadowPicture picture(1, 1, 1, {glm::dvec3(1)}, {{PointLight{place}, {3, 2, 1}}},
+                          {glm::dvec3(-1), glm::dvec3(1)});
+    picture.addRows(0, view, std::vector<std::vector<std::uint8_t>>{{1}});
+    return picture.image().at(0, 0);
+  };
+  CHECK(darkUnder({0, 0, 0}).z > 0);
+  CHECK(darkUnder({0, 0, 0}) == darkUnder({0.1, 0.4, 0}));
+  CHECK(darkUnder({0, 4, 0}).x == doctest::Approx(darkUnder({2, 0, 0}).x / 4));
+}
+
 TEST_CASE("camera rays of a pixel are averaged") {
   SurfaceView view;
   view.pixels.width = 4, view.pixels.height = 2;
