@@ -103,6 +103,11 @@ TEST_CASE("shadow writes pictures, and tells of cells, rays and the time of each
   CHECK(checkCells(octrees) == run.at("leaves"));
   CHECK(octrees.at("cells_by_depth")[0] == 2);  // of each receiver one
   CHECK(octrees.at("rays") > 0);
+  double stages = 0;
+  for (const char* stage : {"proof_seconds", "ray_seconds", "sort_seconds"})
+    stages += octrees.at(stage).get<double>();
+  CHECK(stages > 0);
+  CHECK(stages <= run.at("seconds").at("octrees"));
   const json& pairs = run.at("light")[0].at("pairs");
   CHECK(pairs.at("tested") == 2);
   CHECK(pairs.at("dropped") == 0);
