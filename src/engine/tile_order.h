@@ -8,9 +8,9 @@
 
 namespace haarlight {
 
-/// Cells of a grid, row * columns + column, in tiles of 4 × 4, tile by tile. On CPUs engines take 16
-/// receivers that follow each other against one sphere, and pass over what none of them can see: the
-/// closer they are, the less there is to do. Radiance is the same in any order.
+/// Cells of a grid, row * columns + column, in tiles of 4 × 4, tile by tile. On CPUs engines take
+/// 16 receivers that follow each other against one sphere, and pass over what none of them can see:
+/// the closer they are, the less there is to do. Radiance is the same in any order.
 std::vector<std::uint32_t> tileOrder(int columns, int rows);
 
 /// The elements of a grid in that order.

@@ -14,8 +14,8 @@
 /// plane (horizonFactor in visibility/sphere_bin.h). |c|² = 1 + s² + t² is exact.
 ///
 /// Along a row a cap's texels form one interval around the place s = S (1 + t²) / A where c·D/|c|
-/// is largest (c·D = A + s S), so its ends are found by bisection with the test itself. Its twins are
-/// merge_bit_cubes_exactly.cl in opencl/ and .cu in cuda/.
+/// is largest (c·D = A + s S), so its ends are found by bisection with the test itself. Its twins
+/// are merge_bit_cubes_exactly.cl in opencl/ and .cu in cuda/.
 
 #include <span>
 

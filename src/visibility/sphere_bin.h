@@ -2,8 +2,8 @@
 
 /// Which entry of the sphere table a sphere falls into, seen from a sample: the (v, r) bins of
 /// method.md §3. This file decides bits, so it follows the numeric contract (docs/numerics.md):
-/// float32 additions, multiplications and comparisons only, in the order written here. Its twins are
-/// opencl/sphere_bin.cl and cuda/sphere_bin.cu.
+/// float32 additions, multiplications and comparisons only, in the order written here. Its twins
+/// are opencl/sphere_bin.cl and cuda/sphere_bin.cu.
 
 #include <cstdint>
 

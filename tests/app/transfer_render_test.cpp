@@ -78,7 +78,8 @@ TEST_CASE("transfer by prt serves render: a mesh's by option and by field, and a
   Image first(48, 27), second(48, 27);
   first.pixels = stored;
   second.pixels = computed;
-  CHECK(compareImages(first, second).relativeRootMeanSquare < 0.002);  // the plane's rays are others
+  CHECK(compareImages(first, second).relativeRootMeanSquare <
+        0.002);  // the plane's rays are others
   const Ball field(R"(, "transfer": ")" + ball.transfer.string() + "\"");
   CHECK(field.pixels(onReference) == stored);
 

@@ -22,8 +22,7 @@ std::unique_ptr<Engine> openInGpuShape(const char* name) {
   options.engine = name;
   options.lanesPerItem = 1;
   for (const DeviceDescription& device : listDevices())
-    if (device.engine == name && device.problem.empty())
-      return makeEngine(options, sphereTable());
+    if (device.engine == name && device.problem.empty()) return makeEngine(options, sphereTable());
   std::printf("SKIPPED: no device for the engine %s\n", name);
   return nullptr;
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <vector>
 #include <span>
+#include <vector>
 
 #include "base/text_format.h"
 #include "verify/gpu_check/gpu_check_record.h"
