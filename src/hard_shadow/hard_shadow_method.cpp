@@ -1,5 +1,6 @@
 #include "hard_shadow/hard_shadow_method.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/stopwatch.h"
@@ -88,19 +89,24 @@ class OctreeMethod final : public MethodWithLights<SceneOctrees> {
 
   Json figures() const override {
     Json lights = Json::array(), seconds = secondsFigures("look_up");
-    double pairs = 0, octrees = 0;
+    double pairs = 0, octrees = 0, cellEdge = 0;
     std::size_t memory = 0, leaves = 0;
     for (const auto& shadows : shadows_) {
       const SceneOctreeWork& work = shadows->work();
       lights.push_back({{"pairs", figuresOf(work.pairs)}, {"octrees", figuresOf(work.counts)}});
       pairs += work.pairSeconds, octrees += work.octreeSeconds;
       memory += shadows->memory();
+      cellEdge = std::max(cellEdge, shadows->cellEdge());
       for (const ShadowOctree& octree : shadows->octrees()) leaves += octree.leaves().size();
     }
     seconds["pairs"] = pairs;
     seconds["octrees"] = octrees;
     seconds["prepare"] = seconds["prepare"].get<double>() - pairs - octrees;
-    return {{"leaves", leaves}, {"bytes", memory}, {"seconds", seconds}, {"light", lights}};
+    return {{"cell_edge", cellEdge},
+            {"leaves", leaves},
+            {"bytes", memory},
+            {"seconds", seconds},
+            {"light", lights}};
   }
 
  private:

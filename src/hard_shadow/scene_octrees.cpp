@@ -102,6 +102,15 @@ void SceneOctrees::answer(std::span<const ReceiverPoint> points,
   });
 }
 
+double SceneOctrees::cellEdge() const {
+  double largest = 0;
+  for (std::size_t i = 0; i < octrees_.size(); ++i)
+    if (!boxes_[i].isEmpty())
+      largest =
+          std::max(largest, octrees_[i].cube().edgeAt(depthsFor(detail_, boxes_[i]).boundary));
+  return largest;
+}
+
 std::size_t SceneOctrees::memory() const {
   std::size_t leaves = 0;
   for (const ShadowOctree& octree : octrees_) leaves += octree.leaves().size();

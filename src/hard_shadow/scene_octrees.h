@@ -48,6 +48,10 @@ class SceneOctrees {
   /// threads.
   void answer(std::span<const ReceiverPoint> points, std::span<std::uint8_t> inShadow) const;
 
+  /// The largest edge that the smallest cells of any participant may have: more than was asked for
+  /// where even the deepest cells are larger.
+  double cellEdge() const;
+
   /// Bytes of all leaves.
   std::size_t memory() const;
 

@@ -98,6 +98,7 @@ TEST_CASE("an empty scene, and objects that come and go") {
   octrees.show(setting.participants, PointLight{{0, 1, 0}}, {false});
   CHECK(octrees.work().builtOctrees == 1);
   CHECK(octrees.memory() > 0);
+  CHECK(octrees.cellEdge() == doctest::Approx(2.0 / 16).epsilon(1e-3));
   octrees.show({}, PointLight{{0, 1, 0}});
   CHECK(octrees.octrees().empty());
   CHECK_THROWS_AS(octrees.show({}, DirectionalLight{{0, 0, 0}}), InputError);
