@@ -12,13 +12,11 @@ ExactShadows::ExactShadows(std::span<const ShadowParticipant> participants,
     : participants_(participants.begin(), participants.end()),
       light_(light),
       rays_(shapesOf(participants), light) {
-  std::vector<AxisBox> boxes;
   for (const ShadowParticipant& participant : participants)
-    boxes.push_back(boundsOf(participant.shape));
-  ShadowPairs pairs = findShadowPairs(BoxTree(boxes), light);
+    boxes_.push_back(boundsOf(participant.shape));
+  ShadowPairs pairs = findPairs(participants, boxes_, light);
   std::erase_if(pairs.kept, [&](const ShadowPair& pair) {
-    const ShadowParticipant& caster = participants_[pair.caster];
-    return !caster.castsShadow || (pair.caster == pair.receiver && !mayShadowItself(caster));
+    return pair.caster == pair.receiver && !mayShadowItself(participants_[pair.caster]);
   });
   casters_ = castersByReceiver(pairs.kept, participants.size());
   std::vector<bool> holdsLight;
@@ -37,7 +35,7 @@ OcclusionRay ExactShadows::rayFrom(const ReceiverPoint& point, std::uint32_t cas
   const Occluder& shape = participants_[caster].shape;
   if (!leavesCaster || !std::holds_alternative<const TriangleMesh*>(shape))
     return {point.position, caster, leavesCaster};
-  const AxisBox box = united(boundsOf(shape), {point.position, point.position});
+  const AxisBox box = united(boxes_[caster], {point.position, point.position});
   return {point.position + 4 * singlePrecisionMargin(box) * point.normal, caster, true};
 }
 

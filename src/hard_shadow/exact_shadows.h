@@ -27,6 +27,7 @@ class ExactShadows {
   std::vector<ShadowParticipant> participants_;
   ShadowLight light_;
   EmbreeOcclusion rays_;
+  std::vector<AxisBox> boxes_;                       ///< of the participants
   std::vector<std::vector<std::uint32_t>> casters_;  ///< of each receiver
   /// Of each receiver: the light lies on a mesh that casts a shadow on it.
   std::vector<bool> isAllDark_;

@@ -47,7 +47,8 @@ void SceneOctrees::show(std::span<const ShadowParticipant> participants, const S
   Stopwatch watch;
   prepare(participants, changed);
   work_.prepareSeconds = watch.lap();
-  const auto casters = findCasters(participants);
+  work_.pairs = findPairs(participants, boxes_, light);
+  const auto casters = castersByReceiver(work_.pairs.kept, count);
   work_.pairSeconds = watch.lap();
 
   std::vector<const ShadowObject*> objects;
@@ -72,14 +73,6 @@ void SceneOctrees::prepare(std::span<const ShadowParticipant> participants,
     boxes_[i] = objects_[i]->bounds();
     ++work_.preparedObjects;
   }
-}
-
-std::vector<std::vector<std::uint32_t>> SceneOctrees::findCasters(
-    std::span<const ShadowParticipant> participants) {
-  work_.pairs = findShadowPairs(BoxTree(boxes_, familiesOf(participants)), *light_);
-  std::erase_if(work_.pairs.kept,
-                [&](const ShadowPair& pair) { return !participants[pair.caster].castsShadow; });
-  return castersByReceiver(work_.pairs.kept, participants.size());
 }
 
 void SceneOctrees::answer(std::span<const ReceiverPoint> points,

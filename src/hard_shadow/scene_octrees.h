@@ -57,8 +57,6 @@ class SceneOctrees {
 
  private:
   void prepare(std::span<const ShadowParticipant> participants, const std::vector<bool>& moved);
-  std::vector<std::vector<std::uint32_t>> findCasters(
-      std::span<const ShadowParticipant> participants);
 
   LevelOfDetail detail_;
   std::optional<ShadowLight> light_;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mesh_shadow/embree_occlusion.h"
-#include "shadow/box_tree.h"
 #include "shadow/shadow_light.h"
+#include "shadow/shadow_pairs.h"
 
 namespace haarlight {
 
@@ -39,6 +39,10 @@ inline bool facesLight(const ReceiverPoint& point, const ShadowLight& light) {
 bool mayShadowItself(const ShadowParticipant& participant);
 
 std::vector<Occluder> shapesOf(std::span<const ShadowParticipant> participants);
-std::vector<Family> familiesOf(std::span<const ShadowParticipant> participants);
+
+/// The coarse step for a scene, by the participants' boxes and families: the pairs whose caster
+/// casts shadows. Throws InputError as BoxTree and findShadowPairs do.
+ShadowPairs findPairs(std::span<const ShadowParticipant> participants,
+                      std::span<const AxisBox> boxes, const ShadowLight& light);
 
 }  // namespace haarlight
