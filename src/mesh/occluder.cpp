@@ -1,13 +1,15 @@
 #include "mesh/occluder.h"
 
+#include "mesh/mesh_measures.h"
+
 namespace haarlight {
 
 AxisBox boundsOf(const Occluder& shape) {
   if (const auto* solid = std::get_if<const Solid*>(&shape)) return (*solid)->bounds();
-  AxisBox box;
-  for (const glm::vec3& p : std::get<const TriangleMesh*>(shape)->positions)
-    box = united(box, {p, p});
-  return box;
+  const TriangleMesh& mesh = *std::get<const TriangleMesh*>(shape);
+  if (mesh.triangles.empty()) return {};
+  const BoundingBox box = boundingBox(mesh);
+  return {box.lower, box.upper};
 }
 
 }  // namespace haarlight

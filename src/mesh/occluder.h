@@ -11,7 +11,7 @@ namespace haarlight {
 /// An object that may stand in the way of light.
 using Occluder = std::variant<const Solid*, const TriangleMesh*>;
 
-/// The smallest box around it with axis-parallel faces; empty for a mesh without vertices.
+/// The smallest box around it with axis-parallel faces; empty for a mesh without triangles.
 AxisBox boundsOf(const Occluder& shape);
 
 }  // namespace haarlight

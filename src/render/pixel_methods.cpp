@@ -8,9 +8,9 @@
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "mesh/mesh_measures.h"
 #include "mesh/ray_scene.h"
 #include "render/radiance_method.h"
+#include "shadow/shaft.h"
 #include "visibility/exact_visibility.h"
 
 namespace haarlight {
@@ -83,18 +83,11 @@ class PixelMethod final : public TexelSumMethod {
 /// above the rounding of positions of this magnitude, well below anything seen.
 constexpr float relativeRayOffset = 1e-4f;
 
-BoundingBox boxOf(const Occluder& occluder) {
-  if (const auto* mesh = std::get_if<const TriangleMesh*>(&occluder)) return boundingBox(**mesh);
-  const AxisBox box = std::get<const Solid*>(occluder)->bounds();
-  return {box.lower, box.upper};
-}
-
 float rayOffset(const std::vector<Occluder>& occluders) {
   float extent = 0;
   for (const Occluder& occluder : occluders) {
-    const BoundingBox box = boxOf(occluder);
-    for (const glm::vec3& corner : {glm::abs(box.lower), glm::abs(box.upper)})
-      extent = std::max({extent, corner.x, corner.y, corner.z});
+    const AxisBox box = boundsOf(occluder);
+    if (!box.isEmpty()) extent = std::max(extent, float(largestCoordinate(box)));
   }
   return relativeRayOffset * extent;
 }
