@@ -69,6 +69,7 @@ std::unique_ptr<RadianceMethod> ShadingSetup::method(ShadingMethod which,
                                                      std::span<const SurfaceSample> typicalSamples,
                                                      bool anyNormal) {
   auto method = environmentMethod(which, typicalSamples, anyNormal);
+  if (scene().punctualLights.empty()) return method;
   if (which == ShadingMethod::PixelMesh)  // the reference
     return withExactPunctualLights(std::move(method), scene());
   if (!shadowDetail_)
