@@ -1,6 +1,6 @@
 #include <string>
 
-#include "base/error.h"
+#include "error_text.h"
 #include "scene/scene_file.h"
 #include "test_support.h"
 
@@ -11,12 +11,7 @@ namespace {
 
 /// What parseScene complains about; empty when it does not.
 std::string complaint(const std::string& text) {
-  try {
-    parseScene(text, "scene.json");
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return inputErrorOf([&] { parseScene(text, "scene.json"); });
 }
 
 std::string complaintAboutObject(const std::string& fields) {

@@ -1,21 +1,17 @@
 #include <string>
 
-#include "base/error.h"
+#include "error_text.h"
 #include "scene/scene_file.h"
 #include "test_support.h"
 
 using namespace haarlight;
+using namespace haarlight::test;
 
 namespace {
 
 /// What parseScene complains about; empty when it does not.
 std::string complaint(const std::string& text) {
-  try {
-    parseScene(text, "scene.json");
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return inputErrorOf([&] { parseScene(text, "scene.json"); });
 }
 
 std::string complaintAboutSolid(const std::string& solid, const std::string& fields = "") {
